@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <tamias2d/base/ids.hpp>
+#include <tamias2d/math/transform.hpp>
+
+#include <array>
+#include <cstdint>
+#include <span>
+
+namespace tamias2d::inline TAMIAS_PRECISION {
+
+/// Two shapes began or stopped touching: gap <= Tuning::touchingFactor x the rest gap at the end
+/// of a step. Ids of destroyed shapes stay readable here.
+struct TouchEvent {
+    ShapeId shapeA, shapeB;
+    BodyId bodyA, bodyB;
+};
+
+/// One impulse at its time of impact: velocities after it follow DD8 with exactly these figures.
+struct HitEvent {
+    ShapeId shapeA, shapeB;
+    BodyId bodyA, bodyB;
+    double time = 0;            ///< of the world's clock                          [s]
+    Position point;             ///< where it acted                                [m]
+    Vec2 normal;                ///< from A to B, length 1                         [1]
+    Vec2 armA, armB;            ///< from each center of mass to the point: r_AP, r_BP  [m]
+    real approachSpeed = 0;     ///< -n . (v_B - v_A) at the point, before; > 0    [m/s]
+    real restitution = 0;       ///< of the pair; plastic impulses of a crowded sub-step have 0   [1]
+    real normalImpulse = 0;     ///< j along the normal on B, -j on A              [N*s]
+    real tangentImpulse = 0;    ///< friction, along the normal turned by +90 degrees, on B   [N*s]
+    Vec2 velocityA, velocityB;            ///< of the centers, just before             [m/s]
+    real angularVelocityA = 0, angularVelocityB = 0;  ///< just before                 [rad/s]
+    std::uint32_t group = 0;    ///< impulses of one two-point impact share a number (they act at once)
+};
+
+/// What one step reports. Sorted, always complete, valid until the next step.
+struct StepEvents {
+    std::span<const TouchEvent> begins;  ///< sorted by shape ids
+    std::span<const TouchEvent> ends;    ///< sorted by shape ids; includes those of destroyed shapes
+    std::span<const HitEvent> hits;      ///< in order of time, then shape ids
+};
+
+/// One point of a contact.
+struct ContactPoint {
+    Position position;          ///< between the two surfaces                        [m]
+    real separation = 0;        ///< gap between the surfaces, < 0 is overlap        [m]
+    real normalImpulse = 0;     ///< summed over the last step, impacts included     [N*s]
+    real tangentImpulse = 0;    ///< likewise, along the normal turned by +90 degrees   [N*s]
+    std::uint32_t feature = 0;  ///< which corner or edge; stays the same while it touches
+};
+
+/// Two shapes near each other, as of the last step.
+struct ContactView {
+    ShapeId shapeA, shapeB;
+    BodyId bodyA, bodyB;
+    Vec2 normal;                ///< from A to B
+    int pointCount = 0;         ///< 0 to 2
+    std::array<ContactPoint, 2> points;
+    bool touching = false;
+    real restGap = 0;           ///< [m]
+    real friction = 0, restitution = 0;  ///< of the pair   [1]
+};
+
+}  // namespace tamias2d::inline TAMIAS_PRECISION

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <tamias2d/base/config.hpp>
+
+#include <cstdint>
+
+namespace tamias2d::inline TAMIAS_PRECISION {
+
+enum class StepStatus : std::uint8_t {
+    Done,
+    BadTimeStep,  ///< dt was not in (0, 1] s, or substeps not in [1, 256]: nothing moved
+};
+
+/// Wall-clock time of the stages of one step, for profiles only.   [ms]
+struct StageTimes {
+    double pairs = 0;      ///< broad phase
+    double manifolds = 0;  ///< narrow phase
+    double graph = 0;      ///< coloring and islands
+    double impacts = 0;    ///< impulses at their time of impact, swept pairs
+    double solve = 0;      ///< kicks, drift, contact passes, calming
+    double finalize = 0;   ///< touches, read-back, boxes
+    double total = 0;
+};
+
+/// How often the solver had to limit something in the step. All zero in an ordinary scene: no
+/// limit is ever silent.
+struct ClampCounts {
+    std::uint32_t speed = 0;             ///< bodies held at kMaxSpeed or kMaxSpin
+    std::uint32_t position = 0;          ///< bodies stopped at kMaxPosition
+    std::uint32_t push = 0;              ///< contact points whose overlap asked for more than Tuning::pushSpeed
+    std::uint32_t impactsPerContact = 0; ///< contacts that used all of Tuning::impactsPerContact
+    std::uint32_t impactSweeps = 0;      ///< sub-steps that used all of Tuning::impactSweeps
+    std::uint32_t advancement = 0;       ///< swept tests that ran out of iterations (taken as a hit)
+};
+
+/// What one step did.
+struct StepReport {
+    StepStatus status = StepStatus::Done;
+    int substeps = 0;
+    std::uint32_t bodies = 0;            ///< enabled ones
+    std::uint32_t dynamicBodies = 0;
+    std::uint32_t shapes = 0;
+    std::uint32_t pairs = 0;             ///< of shapes whose swept boxes overlap
+    std::uint32_t sweptPairs = 0;        ///< looked at again in every sub-step
+    std::uint32_t touching = 0;          ///< contacts that touch at the end
+    std::uint32_t impacts = 0;           ///< impulses at their time of impact
+    std::uint32_t repaired = 0;          ///< pairs added because an impact threw a body out of its swept box
+    std::uint32_t islands = 0;           ///< groups of bodies connected by loaded contacts
+    std::uint32_t nonFinite = 0;         ///< bodies set aside (disabled) as a value of theirs was no number
+    std::uint32_t forceLawFaults = 0;    ///< force laws that threw or returned no number
+    double deepestOverlap = 0;           ///< at the end of the step   [m]   >= 0
+    ClampCounts clamps;
+    StageTimes times;
+};
+
+}  // namespace tamias2d::inline TAMIAS_PRECISION
