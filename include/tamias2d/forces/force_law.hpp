@@ -11,10 +11,10 @@ namespace tamias2d::inline TAMIAS_PRECISION {
 
 /// What a force law may look at.
 struct BodyView {
-    BodyId id;
-    Position center;        ///< of mass              [m]
+    BodyId id = {};
+    Position center = {};   ///< of mass              [m]
     double angle = 0;       ///< in [0, 2 pi)         [rad]
-    DVec2 velocity;         ///< of the center        [m/s]
+    DVec2 velocity = {};    ///< of the center        [m/s]
     double spin = 0;        ///< angular velocity     [rad/s]
     double mass = 0;        ///< [kg]
     double inertia = 0;     ///< [kg*m^2]
@@ -22,20 +22,20 @@ struct BodyView {
 
 /// A force at the center of mass and a torque.
 struct Wrench {
-    DVec2 force;        ///< [N]
+    DVec2 force = {};   ///< [N]
     double torque = 0;  ///< [N*m]
 };
 
 /// A force that depends on where the body is, how it moves and on time. It is evaluated inside
 /// every sub-step, so that a spring keeps its energy: a force held over a whole step pumps it up.
 struct ForceLaw {
-    std::string name;  ///< for scene files, which write a law of your own by its name only
+    std::string name = {};  ///< for scene files, which write a law of your own by its name only
     /// The force at time `t` [s]. Must not touch the World. A throw or a non-finite value counts as
     /// no force and shows in StepReport::forceLawFaults.
-    std::function<Wrench(const BodyView& body, double t)> force;
+    std::function<Wrench(const BodyView& body, double t)> force = {};
     /// The potential energy [J], if there is one: energy() then includes it.
-    std::function<double(const BodyView& body, double t)> potential;
-    std::string parameters;  ///< of a built-in law, as JSON text, so that scenes can write it
+    std::function<double(const BodyView& body, double t)> potential = {};
+    std::string parameters = {};  ///< of a built-in law, as JSON text, so that scenes can write it
 };
 
 using ForceLawId = Id<struct ForceLawTag>;

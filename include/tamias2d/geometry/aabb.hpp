@@ -7,8 +7,8 @@ namespace tamias2d::inline TAMIAS_PRECISION {
 
 /// An axis-aligned box in the world.
 struct Aabb {
-    Position lower;  ///< left and bottom   [m]
-    Position upper;  ///< right and top     [m]
+    Position lower = {};  ///< left and bottom   [m]
+    Position upper = {};  ///< right and top     [m]
 };
 
 constexpr bool overlaps(const Aabb& a, const Aabb& b) noexcept

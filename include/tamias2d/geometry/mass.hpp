@@ -8,7 +8,7 @@ namespace tamias2d::inline TAMIAS_PRECISION {
 /// How a shape or a body resists being moved [DD1, DD14].
 struct MassProperties {
     real mass = 0;     ///< [kg]
-    Vec2 center;       ///< of mass                      [m]
+    Vec2 center = {};  ///< of mass                      [m]
     real inertia = 0;  ///< about that center            [kg*m^2]
 };
 

@@ -14,7 +14,7 @@ inline constexpr int kMaxPolygonVertices = 16;
 
 /// A disc.
 struct Circle {
-    Vec2 center;                ///< in the shape's frame   [m]
+    Vec2 center = {};           ///< in the shape's frame   [m]
     real radius = real(0.5);    ///< [m]   > 0
 };
 

@@ -53,9 +53,9 @@ constexpr Vec2 inverseRotate(Rot q, Vec2 v) noexcept
 
 /// Where a body is: the place of its origin [m] and its orientation, with the angle in [0, 2 pi).
 struct Transform {
-    Position position;
+    Position position = {};
     double angle = 0;  ///< [rad]
-    Rot rotation;
+    Rot rotation = {};
 
     static Transform at(Position position, double angle) noexcept
     {

@@ -28,7 +28,7 @@ struct WorldDef {
     real lengthUnit = 1;              ///< the length of a typical body; scales Tuning and the bounds   [m]   > 0
     MixingRule frictionMixing = MixingRule::GeometricMean;  ///< not MixingRule::World
     MixingRule restitutionMixing = MixingRule::Maximum;     ///< not MixingRule::World
-    Tuning tuning;
+    Tuning tuning = {};
 };
 
 /// Nature's constant of gravitation, as the SRS states it [T3].
@@ -46,38 +46,38 @@ using MassOverride = std::optional<MassProperties>;
 /// What a new body is like [R2].
 struct BodyDef {
     BodyType type = BodyType::Dynamic;
-    Position position;              ///< of the body's origin             [m]
+    Position position = {};         ///< of the body's origin             [m]
     double angle = 0;               ///< any finite; brought into [0, 2 pi)  [rad]
-    Vec2 linearVelocity;            ///< of the center of mass            [m/s]
+    Vec2 linearVelocity = {};       ///< of the center of mass            [m/s]
     real angularVelocity = 0;       ///< counter-clockwise                [rad/s]
-    MassOverride mass;              ///< none: from the shapes. Mass > 0, inertia >= 0
+    MassOverride mass = {};         ///< none: from the shapes. Mass > 0, inertia >= 0
     real linearDamping = 0;         ///< c of exp(-c t)                   [1/s]   >= 0
     real angularDamping = 0;        ///< likewise                         [1/s]   >= 0
     real gravityScale = 1;          ///< factor on the world's gravity    [1]
-    std::optional<Vec2> gravity;    ///< its own, instead of the world's  [m/s^2]
+    std::optional<Vec2> gravity = {};    ///< its own, instead of the world's  [m/s^2]
     bool lockX = false;             ///< never moves along x
     bool lockY = false;             ///< never moves along y
     bool lockRotation = false;      ///< never turns
     bool enabled = true;            ///< a disabled body neither moves nor collides
-    std::string name;               ///< for messages, scene files and findBody; need not be unique
+    std::string name = {};          ///< for messages, scene files and findBody; need not be unique
     std::uint64_t userData = 0;     ///< yours
 };
 
 /// What a new shape of a body is like.
 struct ShapeDef {
     Geometry geometry = Circle{};
-    Vec2 offset;              ///< of the shape's frame in the body's   [m]
+    Vec2 offset = {};         ///< of the shape's frame in the body's   [m]
     double angle = 0;         ///< of the shape's frame in the body's   [rad]
     real density = 1;         ///< [kg/m^2]   >= 0
-    Material material;
-    Filter filter;
+    Material material = {};
+    Filter filter = {};
     std::uint64_t userData = 0;
 };
 
 /// A force that stays on a body until removed.
 struct LastingForce {
-    Vec2 force;                 ///< [N]
-    Vec2 point;                 ///< where it acts, from the center of mass   [m]
+    Vec2 force = {};            ///< [N]
+    Vec2 point = {};            ///< where it acts, from the center of mass   [m]
     bool forceTurns = false;    ///< the force's direction turns with the body (a rocket)
     bool pointTurns = true;     ///< the point is fixed in the body; false: the arm keeps its direction
     real torque = 0;            ///< in addition                              [N*m]
@@ -85,9 +85,9 @@ struct LastingForce {
 
 /// Pose and velocity of a body, for bulk reading and writing.
 struct BodyState {
-    Position position;          ///< of the body's origin     [m]
+    Position position = {};     ///< of the body's origin     [m]
     double angle = 0;           ///< in [0, 2 pi) on output   [rad]
-    Vec2 linearVelocity;        ///< of the center of mass    [m/s]
+    Vec2 linearVelocity = {};   ///< of the center of mass    [m/s]
     real angularVelocity = 0;   ///< [rad/s]
 };
 
