@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: MIT
+#include "narrowphase/manifold.hpp"
+
+namespace tamias2d::inline TAMIAS_PRECISION {
+namespace {
+
+// An end of the incident edge on its way through the clipping.
+struct ClipEnd {
+    Vec2 point;
+    int vertex;         // of the incident core, or
+    int clippedAt = 0;  // 1 or 2: cut off at an end of the reference face
+    real along = 0;     // the reference face
+};
+
+// The edge of the incident core that faces the reference normal most squarely.
+int incidentEdge(const PlacedCore& core, Vec2 normal)
+{
+    int best = 0;
+    for (int i = 1; i < core.faces(); ++i)
+        if (dot(normal, core.normals[i]) < dot(normal, core.normals[best])) best = i;
+    return best;
+}
+
+std::uint32_t featureOf(const ClipEnd& end, bool faceOnA, int face)
+{
+    const int corner = end.clippedAt == 0 ? end.vertex : 16 * end.clippedAt;
+    return static_cast<std::uint32_t>(corner | (faceOnA ? 0 : 64) | (face << 7));
+}
+
+}  // namespace
+
+bool faceManifold(const Convex& a, const Pose& poseA, const Convex& b, const Pose& poseB, bool faceOnA, int face,
+                  bool force, Manifold& manifold)
+{
+    const Pose& referencePose = faceOnA ? poseA : poseB;
+    const Pose& incidentPose = faceOnA ? poseB : poseA;
+    const PlacedCore reference(faceOnA ? a : b, referencePose);
+    const PlacedCore incident(faceOnA ? b : a, incidentPose);
+
+    const Vec2 n = reference.normals[face];
+    const Vec2 origin = reference.vertices[face];
+    const Vec2 tangent = perpendicular(n);
+    const real faceLength = dot(tangent, reference.vertices[reference.next(face)] - origin);
+
+    // The incident edge runs against the reference face: `far` first.
+    const int edge = incidentEdge(incident, n);
+    const int edgeEnd = incident.next(edge);
+    ClipEnd far{incident.vertices[edge], edge};
+    ClipEnd near{incident.vertices[edgeEnd], edgeEnd};
+    far.along = dot(tangent, far.point - origin);
+    near.along = dot(tangent, near.point - origin);
+    if (far.along < near.along) std::swap(far, near);
+
+    // Clip it to the face.
+    bool single = false;
+    if (far.along < 0 || near.along > faceLength) {
+        if (!force) return false;
+        single = true;
+        if (far.along >= 0) far = near;
+    } else {
+        const Vec2 from = far.point, along = near.point - far.point;
+        const real span = far.along - near.along;
+        const ClipEnd uncutFar = far;
+        if (far.along > faceLength && span > 0) {
+            far.point = from + ((far.along - faceLength) / span) * along;
+            far.clippedAt = 1;
+        }
+        if (near.along < 0 && span > 0) {
+            near.point = from + (uncutFar.along / span) * along;
+            near.clippedAt = 2;
+        }
+        const Vec2 d = far.point - near.point;
+        single = dot(d, d) < real(1e-12) * faceLength * faceLength;
+    }
+
+    manifold.normal = faceOnA ? n : -n;
+    manifold.count = single ? 1 : 2;
+    for (int i = 0; i < manifold.count; ++i) {
+        const ClipEnd& end = i == 0 ? far : near;
+        const Vec2 onFace = end.point - dot(n, end.point - origin) * n;
+        const Vec2 onA = faceOnA ? onFace : end.point;
+        const Vec2 onB = faceOnA ? end.point : onFace;
+        ManifoldPoint& point = manifold.points[i];
+        point.localA = inverseRotate(poseA.q, onA - poseA.p);
+        point.localB = inverseRotate(poseB.q, onB - poseB.p);
+        point.cornerOnA = faceOnA == (end.clippedAt != 0);
+        point.feature = featureOf(end, faceOnA, face);
+    }
+    return true;
+}
+
+Separation coreSeparation(const Convex& a, const Pose& poseA, const Convex& b, const Pose& poseB, real preference)
+{
+    const PlacedCore coreA(a, poseA), coreB(b, poseB);
+    const bool sharp = a.faces() > 0 && b.faces() > 0 && a.radius + b.radius <= 0 && a.count + b.count > 4;
+    return sharp ? separationByFaces(coreA, coreB, preference) : exactSeparation(coreA, coreB, preference);
+}
+
+void closestManifold(const Convex& a, const Pose& poseA, const Convex& b, const Pose& poseB, real preference,
+                     Manifold& manifold)
+{
+    const Separation nearest = coreSeparation(a, poseA, b, poseB, preference);
+    const bool onA = nearest.kind == Separation::Kind::FaceA;
+    if (nearest.kind != Separation::Kind::Vertices) {
+        faceManifold(a, poseA, b, poseB, onA, onA ? nearest.featureA : nearest.featureB, true, manifold);
+        return;
+    }
+    manifold.normal = nearest.normal;
+    manifold.count = 1;
+    ManifoldPoint& point = manifold.points[0];
+    point.localA = a.vertices[nearest.featureA];
+    point.localB = b.vertices[nearest.featureB];
+    point.cornerOnA = a.radius < b.radius;
+    point.feature = static_cast<std::uint32_t>(nearest.featureA | (nearest.featureB << 4) | (1 << 12));
+}
+
+}  // namespace tamias2d::inline TAMIAS_PRECISION

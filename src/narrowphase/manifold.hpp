@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "narrowphase/separation.hpp"
+
+#include <cstdint>
+
+namespace tamias2d::inline TAMIAS_PRECISION {
+
+/// One point of a manifold: a point of each core, fixed in its body.
+struct ManifoldPoint {
+    Vec2 localA, localB;        ///< in the body's frame, about its center of mass   [m]
+    bool cornerOnA = false;     ///< whose corner it is; the other side slides past it
+    std::uint32_t feature = 0;  ///< which corner and face; stays the same while they meet
+};
+
+/// How two shapes meet: one normal and one or two points.
+struct Manifold {
+    Vec2 normal;                ///< from A to B
+    int count = 0;
+    ManifoldPoint points[2];
+    real time = 0;              ///< of the pose it was taken at, within the sweep   [s]
+    bool atImpact = false;      ///< taken where a swept pair meets
+};
+
+/// The manifold of a reference face and the edge that faces it, clipped. False if that edge lies
+/// beyond the ends of the face; with `force` it then has the one point nearest to it.
+bool faceManifold(const Convex& a, const Pose& poseA, const Convex& b, const Pose& poseB, bool faceOnA, int face,
+                  bool force, Manifold& manifold);
+
+/// The manifold of the closest features, at one pose.
+void closestManifold(const Convex& a, const Pose& poseA, const Convex& b, const Pose& poseB, real preference,
+                     Manifold& manifold);
+
+/// The separation that suits the pair: by faces for sharp polygons, exact for rounded shapes.
+/// Radii are not subtracted.
+Separation coreSeparation(const Convex& a, const Pose& poseA, const Convex& b, const Pose& poseB,
+                          real preference);
+
+}  // namespace tamias2d::inline TAMIAS_PRECISION

@@ -1,0 +1,294 @@
+// SPDX-License-Identifier: MIT
+// Swept manifolds: which manifold stands for a pair over a whole step. Two ideas carry it. A face
+// that separates the cores at both ends separates them all the way, so a body gliding over flush
+// tiles never sees the side of the next one. And whatever is left is settled by conservative
+// advancement, so nothing passes. Derivation: docs/theory/contacts.md, section 2.
+
+#include "narrowphase/swept.hpp"
+
+#include <limits>
+
+namespace tamias2d::inline TAMIAS_PRECISION {
+
+Pose Trajectory::at(real t) const
+{
+    const real turn = turnBy(t);
+    return {positionAt(t), turn == 0 ? rotation : Rot::ofAngle(angle + static_cast<double>(turn))};
+}
+
+namespace {
+
+// All that the stages below share about one sweep.
+struct Sweep {
+    const SweptPair& pair;
+    real from, to;
+    Pose a0, b0, a1, b1;       // poses at the start and at the end
+    real radii;                // of rounding, both
+    real admit;                // gaps up to here get a manifold
+    real deep;                 // overlap from here on counts as one
+    Separation start, end;     // gaps, radii subtracted
+    Vec2 slide;                // relative displacement of the centers
+    real turnA, turnB;         // [rad], absolute
+    real travel;               // bound on the motion of any point of the one against the other
+    real sagitta;              // how far a turning point leaves its chord
+    bool turning;
+    bool sharp;                // two sharp polygons: separation by faces
+
+    Sweep(const SweptPair& p, real t0, real t1)
+        : pair(p), from(t0), to(t1), a0(p.pathA.at(t0)), b0(p.pathB.at(t0)), a1(p.pathA.at(t1)),
+          b1(p.pathB.at(t1)), radii(p.a.radius + p.b.radius), admit(3 * p.restGap), deep(-p.restGap / 2),
+          start(separation(a0, b0)), end(separation(a1, b1)), slide((b1.p - a1.p) - (b0.p - a0.p)),
+          turnA(absolute(p.pathA.turnBy(t1) - p.pathA.turnBy(t0))),
+          turnB(absolute(p.pathB.turnBy(t1) - p.pathB.turnBy(t0))),
+          travel(length(slide) + turnA * p.a.extent + turnB * p.b.extent),
+          sagitta((p.a.faces() > 0 ? turnA * turnA / 8 * p.a.extent : 0) +
+                  (p.b.faces() > 0 ? turnB * turnB / 8 * p.b.extent : 0)),
+          turning(sagitta > p.restGap / 2), sharp(p.a.faces() > 0 && p.b.faces() > 0 && radii <= 0)
+    {
+    }
+
+    real preference() const { return real(0.1) * pair.restGap; }
+
+    Separation separation(const Pose& poseA, const Pose& poseB) const
+    {
+        Separation s = coreSeparation(pair.a, poseA, pair.b, poseB, 0);
+        s.distance -= radii;
+        return s;
+    }
+    Separation separationAt(real t) const { return separation(pair.pathA.at(t), pair.pathB.at(t)); }
+    real timeAt(real part) const { return from + part * (to - from); }
+
+    SweptResult closest(const Pose& poseA, const Pose& poseB) const
+    {
+        SweptResult result;
+        closestManifold(pair.a, poseA, pair.b, poseB, preference(), result.manifold);
+        result.near = true;
+        result.manifold.time = from;
+        return result;
+    }
+    SweptResult closestAtStart() const { return closest(a0, b0); }
+    SweptResult closestAtEnd() const { return closest(a1, b1); }
+
+    SweptResult impactAt(real t) const
+    {
+        SweptResult result = closest(pair.pathA.at(t), pair.pathB.at(t));
+        result.manifold.time = t;
+        result.manifold.atImpact = true;
+        return result;
+    }
+
+    bool byFace(bool atEnd, const FaceQuery& axis, bool force, SweptResult& result) const
+    {
+        result.near = faceManifold(pair.a, atEnd ? a1 : a0, pair.b, atEnd ? b1 : b0, axis.onA, axis.face, force,
+                                   result.manifold);
+        result.manifold.time = from;
+        return result.near;
+    }
+};
+
+// The face that separates best over the whole sweep: the greatest of min(start, end).
+struct SweptFace {
+    FaceQuery axis;
+    bool smallerAtEnd;
+};
+
+SweptFace bestFaceOverSweep(const Sweep& s)
+{
+    const PlacedCore a0(s.pair.a, s.a0), a1(s.pair.a, s.a1), b0(s.pair.b, s.b0), b1(s.pair.b, s.b1);
+    SweptFace best{{-std::numeric_limits<real>::max(), true, 0}, false};
+    const auto consider = [&](bool onA, int face, real first, real last) {
+        const real least = minimum(first, last) - s.radii;
+        const bool handicap = !onA && best.axis.onA && a0.faces() > 0;
+        if (least > best.axis.distance + (handicap ? s.preference() : real(0)))
+            best = {{least, onA, face}, last <= first + s.preference()};
+    };
+    for (int i = 0; i < a0.faces(); ++i) consider(true, i, faceDistance(a0, i, b0), faceDistance(a1, i, b1));
+    for (int i = 0; i < b0.faces(); ++i) consider(false, i, faceDistance(b0, i, a0), faceDistance(b1, i, a1));
+    return best;
+}
+
+// A face keeps the two apart all the way: a support manifold, or nothing. Returns true if settled.
+bool settledByFace(const Sweep& s, const SweptFace& best, SweptResult& result)
+{
+    if (best.axis.distance <= s.deep || s.turning) return false;
+    if (best.axis.distance > s.admit) return true;
+    if (s.byFace(best.smallerAtEnd, best.axis, false, result)) return true;
+    if (s.byFace(!best.smallerAtEnd, best.axis, false, result)) return true;
+    // Beyond the end of the face a sharp corner meets nothing; a rounded one may still touch the corner.
+    return s.sharp;
+}
+
+// Sharp polygons that overlap at the start, or nearly and no worse later.
+bool settledByOverlap(const Sweep& s, const SweptFace& best, SweptResult& result)
+{
+    const real gap = s.start.distance;
+    const bool grazing = gap < s.pair.restGap && best.axis.distance > 8 * s.deep && !s.turning;
+    if (gap >= s.deep && !grazing) return false;
+    if (s.sagitta >= s.pair.restGap) {
+        result = s.closestAtStart();
+        return true;
+    }
+    const bool slow = s.travel < real(0.25) * minimum(s.pair.a.extent, s.pair.b.extent);
+    s.byFace(best.smallerAtEnd && slow, best.axis, true, result);
+    return true;
+}
+
+// Rounded shapes: the distance to a convex set along a line is convex, so its least value is at an
+// end unless the motion turns from approach to departure in between.
+bool settledByConvexity(const Sweep& s, SweptResult& result)
+{
+    const real first = s.start.distance, last = s.end.distance;
+    if (first < s.deep) {
+        result = last < first && last > 8 * s.deep ? s.closestAtEnd() : s.closestAtStart();
+        return true;
+    }
+    if (last <= s.deep || s.turning) return false;
+    if (dot(s.start.normal, s.slide) >= 0) {
+        if (first <= s.admit) result = s.closestAtStart();
+        return true;
+    }
+    if (dot(s.end.normal, s.slide) <= 0) {
+        if (last <= s.admit) result = s.closestAtEnd();
+        return true;
+    }
+    return false;
+}
+
+// Does any point near contact close at the start, turning included?
+bool closesAtStart(const Sweep& s, const Manifold& manifold)
+{
+    const Trajectory &pathA = s.pair.pathA, &pathB = s.pair.pathB;
+    const Vec2 vA = pathA.velocity + s.from * pathA.acceleration;
+    const Vec2 vB = pathB.velocity + s.from * pathB.acceleration;
+    for (int i = 0; i < manifold.count; ++i) {
+        const Vec2 rA = rotate(s.a0.q, manifold.points[i].localA);
+        const Vec2 rB = rotate(s.b0.q, manifold.points[i].localB);
+        const real gap = dot(manifold.normal, (s.b0.p + rB) - (s.a0.p + rA)) - s.radii;
+        const Vec2 v = vB + cross(pathB.spin, rB) - vA - cross(pathA.spin, rA);
+        const real slow = real(1e-3) * s.travel / (s.to - s.from);
+        if (gap < real(1.5) * s.pair.restGap && dot(manifold.normal, v) < -slow) return true;
+    }
+    return false;
+}
+
+// Polygons that touch at the start and turn: if nothing closes there, march on in steps of about
+// 0.1 rad to the next corner that digs in, and bisect for the moment just before.
+SweptResult marchTurning(const Sweep& s)
+{
+    SweptResult result = s.closestAtStart();
+    result.manifold.atImpact = true;
+    if (closesAtStart(s, result.manifold)) return result;
+
+    const real turns = minimum(real(62), (s.turnA + s.turnB) / real(0.1));
+    const int marches = static_cast<int>(turns) + 2;
+    real clear = 0;
+    for (int k = 1; k <= marches; ++k) {
+        const real part = static_cast<real>(k) / static_cast<real>(marches);
+        if (s.separationAt(s.timeAt(part)).distance >= s.deep) {
+            clear = part;
+            continue;
+        }
+        real digs = part;
+        for (int b = 0; b < 10; ++b) {
+            const real middle = (clear + digs) / 2;
+            (s.separationAt(s.timeAt(middle)).distance < s.deep ? digs : clear) = middle;
+        }
+        return s.impactAt(s.timeAt(clear));
+    }
+    return result;
+}
+
+// Conservative advancement [Mirtich 1996]: never step further than the gap allows at the fastest
+// rate at which it could close.
+SweptResult advance(const Sweep& s)
+{
+    constexpr int kMaxIterations = 64;
+    const bool polygons = s.pair.a.faces() > 0 && s.pair.b.faces() > 0;
+    const real target = s.pair.restGap / 4;
+    const real spinTravel = s.turnA * s.pair.a.extent + s.turnB * s.pair.b.extent;
+
+    real part = 0, nearestPart = 0;
+    Separation now = s.start;
+    real nearest = now.distance;
+    bool hit = false, exhausted = false;
+    for (int iteration = 0;; ++iteration) {
+        if (now.distance <= target) {
+            hit = true;
+            break;
+        }
+        if (part >= 1) break;
+        if (iteration == kMaxIterations) {
+            hit = exhausted = true;  // the safe side
+            break;
+        }
+        if (!s.turning && !polygons && dot(now.normal, s.slide) + spinTravel >= 0) break;  // moving away
+        real rate = s.travel;
+        if (!s.turning && s.sharp) {
+            const real closing = spinTravel - dot(now.normal, s.slide);
+            if (closing > 0) rate = closing;
+        }
+        part = minimum(real(1), part + maximum(now.distance - target / 2, target / 2) / rate);
+        now = s.separationAt(s.timeAt(part));
+        if (now.distance < nearest) {
+            nearest = now.distance;
+            nearestPart = part;
+        }
+    }
+
+    if (!hit) {
+        if (nearest > s.admit) return {};
+        const real t = s.timeAt(nearestPart);
+        if (s.sharp) {
+            SweptResult result;
+            const Pose poseA = s.pair.pathA.at(t), poseB = s.pair.pathB.at(t);
+            const FaceQuery axis = bestFace(PlacedCore(s.pair.a, poseA), PlacedCore(s.pair.b, poseB), s.preference());
+            result.near = faceManifold(s.pair.a, poseA, s.pair.b, poseB, axis.onA, axis.face, false, result.manifold);
+            result.manifold.time = t;
+            return result;
+        }
+        part = nearestPart;
+    }
+    // A round shape that only skims takes the manifold of the nearer end: at a seam that is the face
+    // and not the corner.
+    const bool skims = !polygons && !s.turning && minimum(s.start.distance, s.end.distance) > s.deep &&
+                       s.end.distance < minimum(s.start.distance, s.admit) &&
+                       dot(s.end.normal, s.slide) < real(0.05) * length(s.slide);
+    SweptResult result = s.impactAt(s.timeAt(part));
+    if (skims) {
+        const real time = result.manifold.time;
+        result = s.closestAtEnd();
+        result.manifold.time = time;
+        result.manifold.atImpact = true;
+    }
+    result.exhausted = exhausted;
+    return result;
+}
+
+}  // namespace
+
+SweptResult collideSwept(const SweptPair& pair, real from, real to)
+{
+    const Sweep s(pair, from, to);
+    SweptResult result;
+
+    // A gap can change no faster than the two move.
+    if ((s.start.distance + s.end.distance - s.travel) / 2 > s.admit) return result;
+
+    const bool polygons = pair.a.faces() > 0 && pair.b.faces() > 0;
+    if (pair.a.faces() + pair.b.faces() > 0) {
+        const SweptFace best = bestFaceOverSweep(s);
+        if (settledByFace(s, best, result)) return result;
+        if (s.sharp && settledByOverlap(s, best, result)) return result;
+    }
+    if (!s.sharp && settledByConvexity(s, result)) return result;
+    if (s.turning && polygons && s.start.distance <= real(1.5) * pair.restGap) return marchTurning(s);
+    return advance(s);
+}
+
+real gapAt(const SweptPair& pair, real t)
+{
+    const Separation s = coreSeparation(pair.a, pair.pathA.at(t), pair.b, pair.pathB.at(t), 0);
+    return s.distance - pair.a.radius - pair.b.radius;
+}
+
+}  // namespace tamias2d::inline TAMIAS_PRECISION

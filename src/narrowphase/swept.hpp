@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "narrowphase/manifold.hpp"
+
+namespace tamias2d::inline TAMIAS_PRECISION {
+
+/// Where a body goes within a step if nothing hits it: a parabola, with a quadratic angle.
+/// Positions are relative to an origin shared by the pair.
+struct Trajectory {
+    Vec2 position;          ///< of the center of mass at time 0   [m]
+    double angle = 0;       ///< at time 0                         [rad]
+    Rot rotation;           ///< of that angle
+    Vec2 velocity;          ///< [m/s]
+    real spin = 0;          ///< [rad/s]
+    Vec2 acceleration;      ///< [m/s^2]
+    real spinRate = 0;      ///< angular acceleration              [rad/s^2]
+
+    Pose at(real t) const;
+    Vec2 positionAt(real t) const { return position + t * velocity + (t * t / 2) * acceleration; }
+    real turnBy(real t) const { return t * spin + t * t / 2 * spinRate; }
+};
+
+/// Two shapes on their ways.
+struct SweptPair {
+    const Convex& a;
+    const Convex& b;
+    Trajectory pathA, pathB;
+    real restGap;           ///< [m]
+};
+
+struct SweptResult {
+    bool near = false;      ///< there is a manifold
+    bool exhausted = false; ///< the search for the time of impact ran out of iterations: taken as a hit
+    Manifold manifold;
+};
+
+/// How the pair meets between the times `from` and `to`: a manifold that keeps the two apart all
+/// the way if there is one (support), else the manifold of the moment they meet (impact).
+/// docs/theory/contacts.md, section 2.
+SweptResult collideSwept(const SweptPair& pair, real from, real to);
+
+/// Gap between the surfaces at a time on the way; < 0 is overlap.   [m]
+real gapAt(const SweptPair& pair, real t);
+
+}  // namespace tamias2d::inline TAMIAS_PRECISION
