@@ -1,0 +1,167 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: MIT
+"""Everything CI checks besides the tests, at your desk: ./dev check. Exit 0 all well, 1 a check failed."""
+
+import argparse
+import os
+import re
+import shutil
+import subprocess
+import sys
+import time
+from concurrent.futures import ThreadPoolExecutor
+from pathlib import Path
+
+import check_layers
+import check_trace
+import doc_snippets
+
+ROOT = Path(__file__).resolve().parent.parent
+CODE_FOLDERS = ("include", "src", "apps", "tests", "examples")
+# The layers that must give the same bits everywhere, print nothing and never end the process.
+FREE_LAYERS = ("scene",)
+
+# The C library's transcendental functions differ in their last bits from one to the next, and a fused
+# multiply-add rounds once where two operations round twice. sqrt, floor, fmod and their like are exact.
+BANNED = {
+    "libm": r"(?<![\w.>])(?:std::|::)?(?:a?(?:sin|cos|tan)h?|atan2|exp|exp2|expm1|log|log2|log10|log1p|pow|hypot|cbrt|"
+            r"erfc?|[tl]gamma|fma)[fl]?\s*\(",
+    "fused multiply-add": r"\b(?:__builtin_fma\w*|_mm\d*_f(?:n?m)(?:add|sub)\w*|FP_CONTRACT)\b",
+    "output": r"\b(?:iostream|std::cout|std::cerr|f?printf|f?puts|putchar)\b",
+    "end of the process": r"\b(?:std::)?(?:abort|exit|quick_exit|_Exit|terminate)\s*\(|\bassert\s*\(",
+    "the environment": r"\bgetenv\b",
+    "chance": r"\b(?:s?rand|drand48)\s*\(|<random>|std::random_device",
+    "the clock": r"<chrono>|\b(?:clock|time|gettimeofday)\s*\(\s*(?:NULL|nullptr|0)?\s*\)",
+}
+ALLOWED = {("src/base/timer.hpp", "the clock"), ("src/base/timer.cpp", "the clock")}
+
+
+def main() -> int:
+    checks = {
+        "format": check_format, "layers": lambda a: check_layers.check(),
+        "trace": lambda a: check_trace.check(write=a.fix), "banned": check_banned, "paths": check_paths,
+        "sizes": report_sizes, "snippets": lambda a: doc_snippets.check(Path(a.build).resolve()), "tidy": check_tidy,
+    }
+    parser = argparse.ArgumentParser(prog="./dev check", description=__doc__)
+    parser.add_argument("names", nargs="*", metavar="NAME", help="checks to run; all if none is named")
+    parser.add_argument("--build", default="build/release", help=argparse.SUPPRESS)
+    parser.add_argument("--fix", action="store_true", help="rewrite what can be rewritten")
+    parser.add_argument("--tidy", action="store_true", help="clang-tidy over all sources of the library")
+    parser.add_argument("--list", action="store_true", help="name the checks")
+    args = parser.parse_args()
+    if args.list:
+        print("\n".join(checks))
+        return 0
+    if unknown := [name for name in args.names if name not in checks]:
+        parser.error(f"no check named {', '.join(unknown)}; there are {', '.join(checks)}")
+
+    failed = []
+    for name in args.names or checks:
+        start = time.monotonic()
+        faults = checks[name](args)
+        print(f"{name:<10} {'FAILED' if faults else 'ok':<7} {time.monotonic() - start:5.1f} s", flush=True)
+        if faults:
+            failed.append(name)
+            print("\n".join("    " + line for fault in faults for line in fault.splitlines()), flush=True)
+    print(f"{len(failed)} checks failed: {', '.join(failed)}" if failed else "All checks passed.")
+    return 1 if failed else 0
+
+
+def tracked(*patterns: str) -> list[str]:
+    """The files of the repository, new ones included, ignored ones not."""
+    listed = subprocess.run(["git", "ls-files", "-co", "--exclude-standard", "--", *patterns], cwd=ROOT, check=True,
+                            capture_output=True, text=True).stdout.split("\n")
+    return sorted({name for name in listed if name and (ROOT / name).is_file()})
+
+
+def code() -> list[str]:
+    return [name for name in tracked(*CODE_FOLDERS) if name.endswith((".hpp", ".cpp"))]
+
+
+def check_format(args) -> list[str]:
+    tool = shutil.which("clang-format-22")
+    if tool is None:
+        return ["clang-format-22 is not here: apt-get install clang-format-22"]
+    how = ["-i"] if args.fix else ["--dry-run", "-Werror"]
+    run = subprocess.run([tool, *how, *code()], cwd=ROOT, capture_output=True, text=True)
+    wrong = sorted(set(re.findall(r"^(\S+?):\d+:\d+: error", run.stderr, re.M)))
+    if run.returncode and not wrong:
+        return [run.stderr]
+    return [f"{name}: not as clang-format writes it; ./dev check --fix does" for name in wrong]
+
+
+def check_tidy(args) -> list[str]:
+    tool = shutil.which("clang-tidy-22")
+    if tool is None:
+        return ["clang-tidy-22 is not here: apt-get install clang-tidy-22"]
+    sources = [name for name in code() if name.startswith("src/") and name.endswith(".cpp")]
+    if not args.tidy:
+        sources = [name for name in sources if name in changed()]
+
+    def run(name: str) -> str:
+        done = subprocess.run([tool, "-p", args.build, "--quiet", "--warnings-as-errors=*", name], cwd=ROOT,
+                              capture_output=True, text=True)
+        return done.stdout if done.returncode else ""
+
+    with ThreadPoolExecutor(os.cpu_count() or 2) as pool:
+        return [text for text in pool.map(run, sources) if text]
+
+
+def changed() -> set[str]:
+    """What differs from the main branch of the origin, or else from the last commit."""
+    for base in ("origin/main", "HEAD"):
+        run = subprocess.run(["git", "diff", "--name-only", base], cwd=ROOT, capture_output=True, text=True)
+        if run.returncode == 0:
+            return set(run.stdout.split())
+    return set()
+
+
+def check_banned(args) -> list[str]:
+    faults = []
+    for name in tracked("src"):
+        if not name.endswith((".hpp", ".cpp")) or name.split("/")[1] in FREE_LAYERS:
+            continue
+        for number, line in enumerate(without_comments((ROOT / name).read_text()).splitlines(), 1):
+            for what, pattern in BANNED.items():
+                if (match := re.search(pattern, line)) and (name, what) not in ALLOWED:
+                    faults.append(f"{name}:{number}: {match[0].strip()} is banned from the core ({what})")
+    return faults
+
+
+def without_comments(text: str) -> str:
+    """The code with comments and string literals blanked, line for line."""
+    pattern = re.compile(r'//[^\n]*|/\*.*?\*/|"(?:\\.|[^"\\\n])*"', re.S)
+    return pattern.sub(lambda m: m[0] if m[0].startswith('"') and "include" in line_start(m)
+                       else "\n" * m[0].count("\n"), text)
+
+
+def line_start(match: re.Match) -> str:
+    text = match.string
+    return text[text.rfind("\n", 0, match.start()) + 1:match.start()]
+
+
+def check_paths(args) -> list[str]:
+    """No file names a place of one machine."""
+    place = re.compile(r"(?<![\w.:/~}])/(?:work|home|root|Users)/\w")
+    faults = []
+    for name in tracked():
+        try:
+            lines = (ROOT / name).read_text().splitlines()
+        except UnicodeDecodeError:
+            continue
+        faults += [f"{name}:{number}: an absolute path: {line.strip()[:80]}" for number, line in enumerate(lines, 1)
+                   if place.search(line)]
+    return faults
+
+
+def report_sizes(args) -> list[str]:
+    """Says which files are over 500 lines, where a reviewer asks which two things they are. Never fails."""
+    for name in code():
+        lines = (ROOT / name).read_text().count("\n")
+        if lines > 500:
+            print(f"    {name}: {lines} lines")
+    return []
+
+
+if __name__ == "__main__":
+    sys.exit(main())
