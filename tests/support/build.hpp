@@ -78,7 +78,8 @@ inline Body addBody(World& world, Position position, const Geometry& geometry, c
 inline Body addBox(World& world, Position position, double width, double height, const Options& options = {})
 {
     const double r = options.rounding;
-    return addBody(world, position, makeBox(toReal(width - 2 * r), toReal(height - 2 * r), toReal(r)), options);
+    return addBody(world, position, makeBox(toReal(width - 2 * r), toReal(height - 2 * r), toReal(r)),
+                   options);
 }
 
 inline Body addDisc(World& world, Position position, double radius, const Options& options = {})

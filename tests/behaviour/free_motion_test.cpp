@@ -1,0 +1,220 @@
+// SPDX-License-Identifier: MIT
+// Bodies that nothing touches, against closed forms.
+#include <support/build.hpp>
+#include <support/closed_form.hpp>
+#include <support/run.hpp>
+#include <support/traces.hpp>
+
+#include <cmath>
+
+namespace tamias2d::test {
+namespace {
+
+// What holds after ten seconds, relative to how far or fast the body went.
+constexpr double kExact = byPrecision(1e-12, 1e-4);
+constexpr double kSeconds = 10;
+
+TEST(FreeFlight, KeepsItsVelocityAndItsLine)
+{
+    TRACES("R5", "R6", "IM1", "IM2", "DD2", "DD3", "DD5", "DD6");
+    World world(weightless());
+    const Body body = addBox(world, {1, -2}, 1, 0.5, {.velocity = vec(3, -4), .spin = 2.5, .angle = 0.5});
+    const RunTotals totals = runSeconds(world, kSeconds);
+
+    EXPECT_LE(relativeError(velocityOf(body), DVec2{3, -4}), kExact);
+    EXPECT_LE(relativeError(centerOf(body), DVec2{31, -42}), kExact);
+    EXPECT_LE(relativeError(spinOf(body), 2.5), kExact);
+    EXPECT_LE(std::abs(angleDifference(body.angle(), 25.5)), kExact * 25.5);
+    EXPECT_EQ(totals.clampedBodies, 0u);
+    EXPECT_NEAR(world.time(), kSeconds, 1e-12 * kSeconds);
+}
+
+TEST(FreeFlight, FollowsTheParabolaOfAProjectile)
+{
+    TRACES("R5", "IM1", "GD2", "DD4", "A4");
+    for (const int substeps : {1, 2, 4, 8}) {
+        World world;
+        const Body body = addDisc(world, {0, 100}, 0.5, {.velocity = vec(12, 30)});
+        runSeconds(world, kSeconds, 60, substeps);
+
+        const double g = static_cast<double>(world.definition().gravity.y);
+        EXPECT_LE(relativeError(velocityOf(body), DVec2{12, 30 + g * kSeconds}), kExact) << substeps;
+        const DVec2 expected{12 * kSeconds, 100 + 30 * kSeconds + g * kSeconds * kSeconds / 2};
+        EXPECT_LE(relativeError(centerOf(body), expected), kExact) << substeps;
+    }
+}
+
+TEST(FreeFlight, ANewWorldPullsDownwardsAsOnEarth)
+{
+    TRACES("GD2", "A3", "A4");
+    World world;
+    EXPECT_EQ(world.definition().gravity, vec(0, -9.81));
+    const Body body = addDisc(world, {0, 0}, 0.5);
+    runSeconds(world, 1);
+    EXPECT_LE(relativeError(body.position().y, -9.81 / 2), byPrecision(1e-12, 1e-5));
+}
+
+TEST(FreeFlight, AConstantTorqueSpinsUpEvenly)
+{
+    TRACES("R6", "IM2", "T4", "DD7", "DD13");
+    World world(weightless());
+    Body body = addBox(world, {0, 0}, 2, 1, {.spin = -1, .angle = 1});
+    body.addForce({.torque = toReal(0.75)});
+    runSeconds(world, kSeconds);
+
+    const double inertia = 2 * (4 + 1) / 12.0;  // m (w^2 + h^2) / 12 of a plate of 2 kg
+    const double alpha = 0.75 / inertia;
+    EXPECT_LE(relativeError(static_cast<double>(body.inertia()), inertia), byPrecision(1e-14, 1e-6));
+    EXPECT_LE(relativeError(spinOf(body), -1 + alpha * kSeconds), kExact);
+    const double turned = 1 - kSeconds + alpha * kSeconds * kSeconds / 2;
+    EXPECT_LE(std::abs(angleDifference(body.angle(), turned)), kExact * turned);
+    EXPECT_LE(length(velocityOf(body)), kExact);
+    EXPECT_LE(length(centerOf(body)), kExact);
+}
+
+TEST(FreeFlight, DampingFadesExponentially)
+{
+    TRACES("R5", "R6", "LC2");
+    World world(weightless());
+    Body body = addDisc(world, {0, 0}, 0.5, {.velocity = vec(20, -10), .spin = 8});
+    body.setLinearDamping(toReal(0.25));
+    body.setAngularDamping(toReal(0.5));
+    runSeconds(world, kSeconds);
+
+    EXPECT_LE(relativeError(velocityOf(body), std::exp(-2.5) * DVec2{20, -10}), kExact);
+    EXPECT_LE(relativeError(spinOf(body), 8 * std::exp(-5.0)), kExact);
+}
+
+TEST(FreeFlight, ADampedBodyGetsAsFarAsTheClosedFormSays)
+{
+    TRACES("R5", "R6", "LC2");
+    World world(weightless());
+    Body body = addDisc(world, {0, 0}, 0.5, {.velocity = vec(20, -10), .spin = 8});
+    body.setLinearDamping(toReal(0.25));
+    body.setAngularDamping(toReal(0.5));
+    runSeconds(world, kSeconds);
+
+    const double distance = (1 - std::exp(-2.5)) / 0.25;
+    EXPECT_LE(relativeError(centerOf(body), distance * DVec2{20, -10}), kExact);
+    const double turned = 8 * (1 - std::exp(-5.0)) / 0.5;
+    EXPECT_LE(std::abs(angleDifference(body.angle(), turned)), kExact * turned);
+}
+
+TEST(FreeFlight, ADampedFallSettlesAtItsTerminalSpeed)
+{
+    TRACES("R5", "IM1", "LC2");
+    const double c = 0.5, g = 10;
+    double error[2] = {};
+    for (const int halved : {0, 1}) {
+        World world(withGravity(0, -g));
+        Body body = addDisc(world, {0, 0}, 0.5);
+        body.setLinearDamping(toReal(c));
+        runSeconds(world, kSeconds, 60, halved ? 8 : 4);
+        const double fallen = -g / c * (kSeconds - (1 - std::exp(-c * kSeconds)) / c);
+        EXPECT_LE(relativeError(velocityOf(body).y, -g / c * (1 - std::exp(-c * kSeconds))), 1e-4);
+        EXPECT_LE(relativeError(body.position().y, fallen), 1e-4);
+        error[halved] = std::abs(body.position().y - fallen);
+    }
+    if (kDouble && error[0] > 1e-10) {
+        EXPECT_GT(orderOf(error[0], error[1]), 1.9);
+    }
+}
+
+TEST(FreeSpin, IsExactAfterAnHour)
+{
+    TRACES("R6", "IM2", "DD5");
+    World world(weightless());
+    const double spin = 7.3;
+    const Body body = addBox(world, {0, 0}, 2, 1, {.spin = spin});
+    const double kept = spinOf(body);  // the float nearest to it, in the float build
+    const RunTotals totals = runSeconds(world, 3600);
+
+    EXPECT_EQ(spinOf(body), kept);
+    EXPECT_LE(std::abs(angleDifference(body.angle(), kept * 3600)), 1e-6);
+    EXPECT_EQ(totals.clampedBodies, 0u);
+}
+
+TEST(FreeSpin, TheAngleStaysInOneTurn)
+{
+    TRACES("R6", "DD5");
+    World world(weightless());
+    for (const double spin : {1.0, -1.0, 100.0, -100.0}) {
+        addBox(world, {spin * 10, 0}, 2, 1, {.spin = spin, .angle = spin});
+    }
+    runSeconds(world, 20, 60, 4, [&] {
+        for (const BodyId id : world.bodies()) {
+            EXPECT_GE(world.body(id).angle(), 0);
+            EXPECT_LT(world.body(id).angle(), kTwoPi);
+        }
+    });
+}
+
+TEST(Bounds, FastBodiesAreNotSlowedDown)
+{
+    TRACES("R5", "R6");
+    World world(weightless());
+    const Body body = addBox(world, {0, 0}, 1, 1, {.velocity = vec(9e5, 0), .spin = 9e5});
+    const RunTotals totals = runSeconds(world, kSeconds);
+
+    EXPECT_LE(relativeError(velocityOf(body).x, 9e5), kExact);
+    EXPECT_LE(relativeError(spinOf(body), 9e5), kExact);
+    EXPECT_LE(relativeError(body.position().x, 9e6), kExact);
+    EXPECT_EQ(totals.clampedBodies, 0u);
+}
+
+TEST(Bounds, ACapIsNeverSilent)
+{
+    TRACES("R4", "R5");
+    World world(weightless());
+    Body pushed = addBox(world, {0, 0}, 1, 1, {.velocity = vec(9.99e5, 0)});
+    Body turned = addBox(world, {0, 10}, 1, 1, {.spin = 9.99e5});
+    pushed.addForce({.force = vec(1e6, 0)});
+    turned.addForce({.torque = toReal(1e6)});
+    const RunTotals totals = runSeconds(world, 1);
+
+    EXPECT_GT(totals.clampedBodies, 0u);
+    EXPECT_LE(velocityOf(pushed).x, kMaxSpeed);
+    EXPECT_LE(spinOf(turned), kMaxSpin);
+    EXPECT_EQ(totals.faults, 0u);
+}
+
+TEST(Bounds, ABodyStopsCountedAtTheEdgeOfTheWorld)
+{
+    TRACES("R4", "R5");
+    World world(weightless());
+    const Body body = addDisc(world, {kMaxPosition - 100, 0}, 0.5, {.velocity = vec(1000, 0)});
+    const RunTotals totals = runSeconds(world, 1);
+
+    EXPECT_GT(totals.clampedBodies, 0u);
+    EXPECT_LE(body.position().x, kMaxPosition);
+}
+
+TEST(FreeMotion, DoesNotDependOnHowFarOutItIs)
+{
+    TRACES("R5", "IM1");
+    World world;
+    const Body near = addDisc(world, {0, 0}, 0.5, {.velocity = vec(3, 4)});
+    const Body far = addDisc(world, {1e6, -1e6}, 0.5, {.velocity = vec(3, 4)});
+    runSeconds(world, kSeconds);
+
+    const DVec2 apart = far.position() - near.position();
+    EXPECT_LE(length(apart - DVec2{1e6, -1e6}), 1e-6);  // the last digit of a double out there is 1e-10 m
+    EXPECT_EQ(near.linearVelocity(), far.linearVelocity());
+}
+
+TEST(FreeMotion, OneWorldDoesNotDisturbAnother)
+{
+    TRACES("R1");
+    World first, second(withGravity(1, 0));
+    const Body falling = addDisc(first, {0, 0}, 0.5);
+    const Body resting = addDisc(second, {0, 0}, 0.5);
+    runSeconds(first, 1);
+    EXPECT_EQ(resting.position(), (Position{0, 0}));
+    EXPECT_EQ(resting.linearVelocity(), Vec2{});
+    runSeconds(second, 1);
+    EXPECT_LE(relativeError(resting.position().x, 0.5), kExact);
+    EXPECT_LE(relativeError(falling.position().y, -9.81 / 2), byPrecision(1e-12, 1e-5));
+}
+
+}  // namespace
+}  // namespace tamias2d::test
