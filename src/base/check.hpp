@@ -4,8 +4,8 @@
 //
 //     if (Checks()
 //             .finite("BodyDef.position", def.position)
-//             .range("BodyDef.linearDamping", def.linearDamping, 0, kAnyFinite, "must be finite and >= 0 1/s")
-//             .refuse())
+//             .range("BodyDef.linearDamping", def.linearDamping, 0, kAnyFinite, "must be finite and >= 0
+//             1/s") .refuse())
 //         return {};
 #pragma once
 
@@ -39,8 +39,10 @@ std::string textOf(unsigned long long value);
 template <std::integral T>
 std::string textOf(T value)
 {
-    if constexpr (std::signed_integral<T>) return textOf(static_cast<long long>(value));
-    else return textOf(static_cast<unsigned long long>(value));
+    if constexpr (std::signed_integral<T>)
+        return textOf(static_cast<long long>(value));
+    else
+        return textOf(static_cast<unsigned long long>(value));
 }
 
 /// "(nan, 2)"

@@ -25,7 +25,8 @@ Polygon polygonOf(std::span<const Vec2> corners, real radius)
 {
     Polygon polygon;
     polygon.radius = radius;
-    for (const Vec2 p : corners) polygon.vertices[static_cast<std::size_t>(polygon.count++)] = p;
+    for (const Vec2 p : corners)
+        polygon.vertices[static_cast<std::size_t>(polygon.count++)] = p;
     return polygon;
 }
 
@@ -42,8 +43,10 @@ void dropStraightCorners(std::vector<Vec2>& corners)
         const DVec2 before = toDVec2(corners[(i + corners.size() - 1) % corners.size()]);
         const DVec2 chord = toDVec2(corners[(i + 1) % corners.size()]) - before;
         const double height = cross(toDVec2(corners[i]) - before, chord) / length(chord);
-        if (height > slack) ++i;
-        else corners.erase(corners.begin() + static_cast<std::ptrdiff_t>(i));
+        if (height > slack)
+            ++i;
+        else
+            corners.erase(corners.begin() + static_cast<std::ptrdiff_t>(i));
     }
 }
 
@@ -96,8 +99,7 @@ Polygon makePolygon(std::span<const Vec2> points, real radius)
     dropStraightCorners(corners);
     if (corners.size() < 3) return refused(points, "must not all lie on one line");
     if (corners.size() > kMaxPolygonVertices)
-        return refused(points,
-                       "must have at most 16 corners in its hull; it has " + textOf(corners.size()));
+        return refused(points, "must have at most 16 corners in its hull; it has " + textOf(corners.size()));
 
     const Polygon polygon = polygonOf(corners, radius);
     if (Checks().add(checkGeometry("makePolygon", polygon)).refuse()) return {};

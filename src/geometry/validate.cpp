@@ -30,7 +30,8 @@ struct CheckShape {
     {
         if (auto wrong = checkFinite(name, p)) return wrong;
         const bool near = absolute(double(p.x)) <= maxSize && absolute(double(p.y)) <= maxSize;
-        return near ? std::nullopt : checkThat(false, name, p, between("each coordinate ", -maxSize, maxSize));
+        return near ? std::nullopt
+                    : checkThat(false, name, p, between("each coordinate ", -maxSize, maxSize));
     }
     Complaint solidRadius(real radius) const
     {
@@ -159,7 +160,8 @@ std::string textOf(std::span<const Vec2> points)
 {
     if (points.size() > kMaxPolygonVertices) return textOf(points.size()) + " points";
     std::string text = "[";
-    for (const Vec2 p : points) text += (text.size() > 1 ? ", " : "") + textOf(p);
+    for (const Vec2 p : points)
+        text += (text.size() > 1 ? ", " : "") + textOf(p);
     return text + "]";
 }
 

@@ -154,10 +154,14 @@ SinCos sinCos(double angle) noexcept
     const double s = sineSeries(a.rest);
     const double c = cosineSeries(a.rest);
     switch (a.quarter) {
-    case 0: return {s, c};
-    case 1: return {c, -s};
-    case 2: return {-s, -c};
-    default: return {-c, s};
+    case 0:
+        return {s, c};
+    case 1:
+        return {c, -s};
+    case 2:
+        return {-s, -c};
+    default:
+        return {-c, s};
     }
 }
 
