@@ -4,8 +4,8 @@
 //
 //     if (Checks()
 //             .finite("BodyDef.position", def.position)
-//             .range("BodyDef.linearDamping", def.linearDamping, 0, kAnyFinite, "must be finite and >= 0
-//             1/s") .refuse())
+//             .range("BodyDef.linearDamping", def.linearDamping, 0, kAnyFinite, "must be >= 0 1/s")
+//             .refuse())
 //         return {};
 #pragma once
 
