@@ -99,6 +99,31 @@ inline double gapBetween(const Outline& a, const Outline& b)
     return nearest - a.radius - b.radius;
 }
 
+/// Where two outlines that do not overlap come closest: the middle of the gap [m].
+inline DVec2 nearestPoint(const Outline& a, const Outline& b)
+{
+    double nearest = std::numeric_limits<double>::infinity();
+    DVec2 middle;
+    const auto consider = [&](const Outline& corners, const Outline& edges) {
+        for (const DVec2 p : corners.core) {
+            for (std::size_t i = 0; i < edges.core.size(); ++i) {
+                const DVec2 from = edges.core[i], along = edges.core[(i + 1) % edges.core.size()] - from;
+                const double size = dot(along, along);
+                const double part = size > 0 ? std::clamp(dot(p - from, along) / size, 0.0, 1.0) : 0;
+                const DVec2 q = from + part * along;
+                const double distance = length(p - q);
+                if (distance >= nearest) continue;
+                nearest = distance;
+                const DVec2 out = (1 / distance) * (q - p);
+                middle = 0.5 * (p + corners.radius * out + q - edges.radius * out);
+            }
+        }
+    };
+    consider(a, b);
+    consider(b, a);
+    return middle;
+}
+
 /// The outline of a shape of the world as it lies now, seen from `origin` (which keeps digits far out).
 inline Outline outlineInWorld(World& world, Shape shape, Position origin = {})
 {
