@@ -56,22 +56,22 @@ void expectAThousandBounces(double rate)
 
 TEST(Bounce, APerfectBallKeepsItsHeightAt30Hz)
 {
-    TRACES("R3", "R8", "IM3", "DD12", "DD16");
+    TRACES("R3", "R8", "IM3", "DD12", "DD16", "A6", "ADR7");
     expectAThousandBounces(30);
 }
 TEST(Bounce, APerfectBallKeepsItsHeightAt60Hz)
 {
-    TRACES("R3", "R8", "IM3", "DD12", "DD16");
+    TRACES("R3", "R8", "IM3", "DD12", "DD16", "A6", "ADR7");
     expectAThousandBounces(60);
 }
 TEST(Bounce, APerfectBallKeepsItsHeightAt120Hz)
 {
-    TRACES("R3", "R8", "IM3", "DD12", "DD16");
+    TRACES("R3", "R8", "IM3", "DD12", "DD16", "A6", "ADR7");
     expectAThousandBounces(120);
 }
 TEST(Bounce, APerfectBallKeepsItsHeightAt240Hz)
 {
-    TRACES("R3", "R8", "IM3", "DD12", "DD16");
+    TRACES("R3", "R8", "IM3", "DD12", "DD16", "A6", "ADR7");
     expectAThousandBounces(240);
 }
 

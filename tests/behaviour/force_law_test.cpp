@@ -36,7 +36,7 @@ Swing swing(int substeps, const ForceLaw& law)
 
 TEST(Oscillator, KeepsItsEnergyForFifteenPeriods)
 {
-    TRACES("R5", "IM1", "DD15", "DD16");
+    TRACES("R5", "IM1", "DD15", "DD16", "ADR16");
     for (const int substeps : {2, 4, 8}) {
         EXPECT_LE(swing(substeps, springTo({0, 0}, kStiffness)).energy, 1e-3) << substeps;
     }

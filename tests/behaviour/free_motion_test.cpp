@@ -16,7 +16,7 @@ constexpr double kSeconds = 10;
 
 TEST(FreeFlight, KeepsItsVelocityAndItsLine)
 {
-    TRACES("R5", "R6", "IM1", "IM2", "DD2", "DD3", "DD5", "DD6");
+    TRACES("R5", "R6", "IM1", "IM2", "DD2", "DD3", "DD5", "DD6", "A2", "A3");
     World world(weightless());
     const Body body = addBox(world, {1, -2}, 1, 0.5, {.velocity = vec(3, -4), .spin = 2.5, .angle = 0.5});
     const RunTotals totals = runSeconds(world, kSeconds);
@@ -200,6 +200,22 @@ TEST(FreeMotion, DoesNotDependOnHowFarOutItIs)
     const DVec2 apart = far.position() - near.position();
     EXPECT_LE(length(apart - DVec2{1e6, -1e6}), 1e-6);  // the last digit of a double out there is 1e-10 m
     EXPECT_EQ(near.linearVelocity(), far.linearVelocity());
+}
+
+TEST(FreeMotion, BodiesThatDoNotTouchDoNotFeelEachOther)
+{
+    TRACES("R5", "A7");
+    World alone, crowd;
+    const Options options{.velocity = vec(2, 3), .spin = 1.5};
+    const Body single = addBox(alone, {0, 0}, 1, 1, options);
+    const Body one = addBox(crowd, {0, 0}, 1, 1, options);
+    for (int i = 1; i < 10; ++i)
+        addBox(crowd, {1.5 * i, 0}, 1, 1, options);  // they fly in formation
+    runSeconds(alone, kSeconds);
+    runSeconds(crowd, kSeconds);
+    EXPECT_EQ(one.position(), single.position());
+    EXPECT_EQ(one.angle(), single.angle());
+    EXPECT_EQ(one.linearVelocity(), single.linearVelocity());
 }
 
 TEST(FreeMotion, OneWorldDoesNotDisturbAnother)

@@ -78,7 +78,7 @@ void expectSteadyGas(int discs, int boxes, double seconds, double rate, int subs
 
 TEST(Gas, OfDiscsAndBoxesStaysWarmForTenMinutes)
 {
-    TRACES("R7", "R8", "IM3", "GD1", "DD12", "DD15", "A1");
+    TRACES("R7", "R8", "IM3", "GD1", "DD12", "DD15", "A1", "A6", "ADR7");
     expectSteadyGas(100, 50, 600, 60, 4);
 }
 
@@ -93,7 +93,7 @@ TEST(Gas, StaysWarmAtOtherRatesAndSubsteps)
 
 TEST(Gas, WithFrictionNeverWarmsUp)
 {
-    TRACES("R8", "LC2", "A6", "DD15");
+    TRACES("R8", "LC2", "DD15", "ADR16");
     World world(weightless());
     fill(world, 50, 100, 0.5, 11);
     const double start = world.energy().kinetic();

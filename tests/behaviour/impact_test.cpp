@@ -104,7 +104,7 @@ const auto makeHexagon = [](World& w, Position p, const Options& o) { return add
 
 TEST(Impact, OfACornerOnAnEdgeObeysDD8)
 {
-    TRACES("R3", "R7", "R8", "IM3", "DD8", "DD9", "DD11", "DD12", "DD14", "GS1", "GS2", "A5");
+    TRACES("R3", "R7", "R8", "IM3", "DD8", "DD9", "DD11", "DD12", "DD14", "GS1", "GS2", "A5", "ADR7");
     for (const double e : kRestitutions) {
         EXPECT_GE(meetings(50, e, 0, 0.8, makeWideBox, makeTallBox), 40) << "C_R " << e;
     }
@@ -128,7 +128,7 @@ TEST(Impact, OfTwoDiscsObeysDD8)
 
 TEST(Impact, OfPolygonsWithFrictionObeysDD8AndCoulomb)
 {
-    TRACES("R3", "R8", "IM3", "DD8", "DD12", "LC2", "A6");
+    TRACES("R3", "R8", "IM3", "DD8", "DD12", "LC2");
     for (const double friction : {0.05, 0.6}) {
         for (const double e : kRestitutions) {
             EXPECT_GE(meetings(50, e, friction, 0.9, makeHexagon, makeTallBox), 40) << "C_R " << e;
@@ -147,6 +147,23 @@ TEST(Impact, OfANearlyFlushCornerIsOnePoint)
         SCOPED_TRACE(e);
         EXPECT_TRUE(meets(world, a, b, restGapFor(world, 1)));
         EXPECT_EQ(impactsOf(world)[0].size(), 1u);
+    }
+}
+
+TEST(Impact, OfACornerOnACornerObeysDD8)
+{
+    TRACES("R8", "IM3", "DD8", "LC1");
+    for (const double e : kRestitutions) {
+        for (const double aside : {0.0, 0.01, -0.1}) {
+            World world(weightless());
+            const Options common{.angle = kPi / 4, .friction = 0, .restitution = e};
+            Options left = common, right = common;
+            left.velocity = vec(3, 0);
+            right.velocity = vec(-2, 0);
+            const Body a = addBox(world, {-2, aside}, 1, 1, left), b = addBox(world, {2, 0}, 1, 1, right);
+            SCOPED_TRACE("C_R " + std::to_string(e) + ", aside " + std::to_string(aside));
+            EXPECT_TRUE(meets(world, a, b, restGapFor(world, 1)));
+        }
     }
 }
 
@@ -202,7 +219,7 @@ void expectFlushImpact(double restitution, double spin, double offset)
 
 TEST(Impact, OfFlushEdgesActsAtBothEndsAtOnce)
 {
-    TRACES("R8", "IM3", "DD8", "DD12");
+    TRACES("R8", "IM3", "DD8", "DD12", "LC1");
     for (const double e : kRestitutions) {
         for (const double offset : {0.0, 0.3, -0.6}) {
             SCOPED_TRACE("C_R " + std::to_string(e) + ", offset " + std::to_string(offset));
