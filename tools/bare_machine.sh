@@ -52,7 +52,7 @@ mount -t sysfs sys "$root/sys"
 mount --rbind /dev "$root/dev"
 
 # --- the clone, and what a stranger types
-git -C "$source" bundle create -q "$root/root/tamias2d.bundle" HEAD
+git -C "$source" bundle create -q "$root/root/tamias2d.bundle" HEAD "$(git -C "$source" branch --show-current)"
 inside() {
     chroot "$root" /usr/bin/env -i HOME=/root LANG=C.UTF-8 PATH=/usr/sbin:/usr/bin:/sbin:/bin "${passed[@]}" \
         bash -c "$1"

@@ -40,6 +40,7 @@ def main() -> int:
     checks = {
         "format": check_format, "layers": lambda a: check_layers.check(),
         "trace": lambda a: check_trace.check(write=a.fix), "banned": check_banned, "paths": check_paths,
+        "links": check_links,
         "sizes": report_sizes, "snippets": lambda a: doc_snippets.check(Path(a.build).resolve()), "tidy": check_tidy,
     }
     parser = argparse.ArgumentParser(prog="./dev check", description=__doc__)
@@ -151,6 +152,17 @@ def check_paths(args) -> list[str]:
             continue
         faults += [f"{name}:{number}: an absolute path: {line.strip()[:80]}" for number, line in enumerate(lines, 1)
                    if place.search(line)]
+    return faults
+
+
+def check_links(args) -> list[str]:
+    """Every file that a page links to, or shows, is there."""
+    link = re.compile(r"\]\((?!https?:|mailto:|#)([^)\s#]+)")
+    faults = []
+    for page in tracked("*.md"):
+        for number, line in enumerate((ROOT / page).read_text().splitlines(), 1):
+            faults += [f"{page}:{number}: {target} is not there" for target in link.findall(line)
+                       if not ((ROOT / page).parent / target).exists()]
     return faults
 
 
