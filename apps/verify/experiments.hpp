@@ -14,6 +14,7 @@ void gases(Report& report);         ///< energy and momentum of many
 void sliding(Report& report);       ///< tiles and slopes
 void tunnelling(Report& report);    ///< fast and thin
 void stacks(Report& report);        ///< stacks, pyramid, pile: calm, sag, overlap
+void fineSteps(Report& report);     ///< some of them with shorter steps
 void sharedScenes(Report& report);  ///< for Pymunk
 void timing(Report& report);        ///< ms a step, as ratios
 

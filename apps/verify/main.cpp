@@ -16,9 +16,9 @@ struct Group {
     void (*run)(Report&);
 };
 constexpr Group kGroups[] = {
-    {"motion", freeMotion},   {"forces", placeForces}, {"bounces", bounces},       {"impacts", impacts},
-    {"gases", gases},         {"sliding", sliding},    {"tunnelling", tunnelling}, {"stacks", stacks},
-    {"shared", sharedScenes}, {"timing", timing},
+    {"motion", freeMotion}, {"forces", placeForces},  {"bounces", bounces},       {"impacts", impacts},
+    {"gases", gases},       {"sliding", sliding},     {"tunnelling", tunnelling}, {"stacks", stacks},
+    {"fine", fineSteps},    {"shared", sharedScenes}, {"timing", timing},
 };
 
 int usage()

@@ -73,6 +73,7 @@ struct Scene {
     double damping = 0;        ///< c of exp(-c t), of both velocities   [1/s]
     double gravitation = 0;    ///< G between all bodies                 [m^3/(kg*s^2)]
     double rate = 60;          ///< steps a second
+    int substeps = 4;          ///< of Tamias2D; the others have none
     PullLaw pull;              ///< on every body that is not fixed; none if empty
 
     std::size_t add(SceneBody body)

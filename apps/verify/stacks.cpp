@@ -1,43 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "experiments.hpp"
-#include "measure.hpp"
+#include "runs.hpp"
 
 #include <algorithm>
-#include <cmath>
 
 namespace tamias2d::verify {
 namespace {
-
-struct Standing {
-    double sag = 0;       ///< of the top box                                         [m]
-    double sideways = 0;  ///< the most that any center moved sideways, at any time    [m]
-    double fastest = 0;   ///< in the last second                                      [m/s]
-    double overlap = 0;   ///< at the end                                              [m]
-};
-
-Standing stand(const EngineKind& kind, const Scene& scene, double seconds)
-{
-    Trial trial(kind, scene);
-    const std::vector<State> start = trial.states();
-    Standing result;
-    while (trial.time() < seconds - 1e-9) {
-        trial.step();
-        const std::vector<State> now = trial.states();
-        for (std::size_t i = 1; i < now.size(); ++i)
-            result.sideways = std::max(result.sideways, std::fabs(now[i].position.x - start[i].position.x));
-        if (trial.time() > seconds - 1) result.fastest = std::max(result.fastest, fastestBody(scene, now));
-    }
-    const std::vector<State> end = trial.states();
-    result.sag = start.back().position.y - end.back().position.y;
-    result.overlap = deepestOverlap(scene, end);
-    return result;
-}
-
-// 1 if nothing moved sideways by more than 0.3 m.
-double stood(const Standing& s)
-{
-    return s.sideways <= 0.3 ? 1 : 0;
-}
 
 void aligned(Report& report, int count)
 {
@@ -48,7 +16,8 @@ void aligned(Report& report, int count)
                     {"fastest body", "m/s", 0, 0}},
                    [count](const EngineKind& kind) {
                        const Standing s = stand(kind, stackScene(kind, count), 60);
-                       return Values{stood(s), 1000 * s.sag, 1000 * s.sideways, s.fastest};
+                       if (!s.stood()) return Values{0.0};
+                       return Values{1.0, 1000 * s.sag, 1000 * s.sideways, s.fastest};
                    });
 }
 
@@ -57,7 +26,7 @@ Values withOffsets(const EngineKind& kind)
     double standing = 0, worst = 0;
     for (unsigned seed = 1; seed <= 4; ++seed) {
         const Standing s = stand(kind, stackScene(kind, 20, 0.05, seed), 60);
-        standing += stood(s);
+        standing += s.stood();
         worst = std::max(worst, s.sideways);
     }
     return {standing, 1000 * worst};

@@ -22,7 +22,8 @@ WorldDef worldOf(const Scene& scene)
 
 class TamiasEngine final : public Engine {
 public:
-    explicit TamiasEngine(const Scene& scene) : dt_(1 / scene.rate), world_(worldOf(scene))
+    explicit TamiasEngine(const Scene& scene)
+        : dt_(1 / scene.rate), substeps_(scene.substeps), world_(worldOf(scene))
     {
         for (const SceneBody& body : scene.bodies)
             add(scene, body);
@@ -37,7 +38,7 @@ public:
         world_.addForceLaw(law);
     }
 
-    void step() override { world_.step(dt_); }
+    void step() override { world_.step(dt_, substeps_); }
 
     State state(std::size_t i) const override
     {
@@ -76,6 +77,7 @@ private:
     }
 
     double dt_;
+    int substeps_;
     World world_;
     std::vector<Body> bodies_;
 };
