@@ -285,6 +285,35 @@ SweptResult collideSwept(const SweptPair& pair, real from, real to)
     return advance(s);
 }
 
+Aabb sweptBounds(const Convex& shape, const Trajectory& path, Position origin, real from, real to, real margin)
+{
+    // The chord between two poses holds all but the sagitta of the turn and of the parabola.
+    const real span = to - from;
+    const real turn = absolute(path.turnBy(to) - path.turnBy(from));
+    const real bulge = length(path.acceleration) * span * span / 8 + margin;
+    const Vec2 ends[2] = {path.positionAt(from), path.positionAt(to)};
+    Vec2 lower = ends[0], upper = ends[0];
+    const auto include = [&](Vec2 p) {
+        lower = {minimum(lower.x, p.x), minimum(lower.y, p.y)};
+        upper = {maximum(upper.x, p.x), maximum(upper.y, p.y)};
+    };
+    real grow = bulge + shape.radius;
+    if (turn > real(0.5)) {
+        include(ends[1]);
+        grow = bulge + shape.extent;
+    } else {
+        lower = {std::numeric_limits<real>::max(), std::numeric_limits<real>::max()};
+        upper = -lower;
+        for (const real t : {from, to}) {
+            const Pose pose = path.at(t);
+            for (int i = 0; i < shape.count; ++i) include(pose.p + rotate(pose.q, shape.vertices[i]));
+        }
+        grow += turn * turn / 8 * shape.extent;
+    }
+    const DVec2 by{static_cast<double>(grow), static_cast<double>(grow)};
+    return {origin + toDVec2(lower) - by, origin + toDVec2(upper) + by};
+}
+
 real gapAt(const SweptPair& pair, real t)
 {
     const Separation s = coreSeparation(pair.a, pair.pathA.at(t), pair.b, pair.pathB.at(t), 0);

@@ -3,6 +3,8 @@
 
 #include "narrowphase/manifold.hpp"
 
+#include <tamias2d/geometry/aabb.hpp>
+
 namespace tamias2d::inline TAMIAS_PRECISION {
 
 /// Where a body goes within a step if nothing hits it: a parabola, with a quadratic angle.
@@ -39,6 +41,9 @@ struct SweptResult {
 /// the way if there is one (support), else the manifold of the moment they meet (impact).
 /// docs/theory/contacts.md, section 2.
 SweptResult collideSwept(const SweptPair& pair, real from, real to);
+
+/// A box that holds the shape all the way between two times, seen from `origin`, grown by `margin`.
+Aabb sweptBounds(const Convex& shape, const Trajectory& path, Position origin, real from, real to, real margin);
 
 /// Gap between the surfaces at a time on the way; < 0 is overlap.   [m]
 real gapAt(const SweptPair& pair, real t);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <tamias2d/base/config.hpp>
+#include <tamias2d/model/clamps.hpp>
 
 #include <cstdint>
 
@@ -21,17 +22,6 @@ struct StageTimes {
     double solve = 0;      ///< kicks, drift, contact passes, calming
     double finalize = 0;   ///< touches, read-back, boxes
     double total = 0;
-};
-
-/// How often the solver had to limit something in the step. All zero in an ordinary scene: no
-/// limit is ever silent.
-struct ClampCounts {
-    std::uint32_t speed = 0;             ///< bodies held at kMaxSpeed or kMaxSpin
-    std::uint32_t position = 0;          ///< bodies stopped at kMaxPosition
-    std::uint32_t push = 0;              ///< contact points whose overlap asked for more than Tuning::pushSpeed
-    std::uint32_t impactsPerContact = 0; ///< contacts that used all of Tuning::impactsPerContact
-    std::uint32_t impactSweeps = 0;      ///< sub-steps that used all of Tuning::impactSweeps
-    std::uint32_t advancement = 0;       ///< swept tests that ran out of iterations (taken as a hit)
 };
 
 /// What one step did.

@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: MIT
+#include "contacts/pairs.hpp"
+
+#include "contacts/mixing.hpp"
+
+namespace tamias2d::inline TAMIAS_PRECISION {
+namespace {
+
+// The rest gap is a part of the smaller width; what cannot move does not count, as a ground may be
+// thinner than anything that rests on it.
+real restGapOf(const ContactWorld& world, const ShapeRow& a, const ShapeRow& b)
+{
+    const bool aDynamic = world.bodies.rows[a.body].isDynamic();
+    const bool bDynamic = world.bodies.rows[b.body].isDynamic();
+    const real size = !aDynamic   ? b.convex.size
+                      : !bDynamic ? a.convex.size
+                                  : minimum(a.convex.size, b.convex.size);
+    return world.restGap * size;
+}
+
+// What follows from the shapes as they are now: they may have been changed since the last step.
+void refresh(const ContactWorld& world, Contact& contact)
+{
+    const ShapeRow& a = world.shapes.rows[contact.shapeA];
+    const ShapeRow& b = world.shapes.rows[contact.shapeB];
+    const Material &ma = a.def.material, &mb = b.def.material;
+    contact.rowA = world.motions.rowOf[a.body];
+    contact.rowB = world.motions.rowOf[b.body];
+    contact.radiusA = a.convex.radius;
+    contact.radiusB = b.convex.radius;
+    contact.restGap = restGapOf(world, a, b);
+    contact.friction = mixed(ma.friction, mb.friction, ma.frictionMixing, mb.frictionMixing, world.frictionRule);
+    contact.restitution = mixed(ma.restitution, mb.restitution, ma.restitutionMixing, mb.restitutionMixing,
+                                world.restitutionRule);
+    contact.rolling = maximum(ma.rollingResistance, mb.rollingResistance) *
+                      maximum(contact.radiusA, contact.radiusB);
+    contact.surfaceSpeed = ma.surfaceSpeed + mb.surfaceSpeed;
+}
+
+bool isBefore(const Contact& contact, const ShapePair& pair)
+{
+    return contact.shapeA != pair.a ? contact.shapeA < pair.a : contact.shapeB < pair.b;
+}
+
+}  // namespace
+
+bool mayCollide(const ContactWorld& world, const ShapePair& pair)
+{
+    const ShapeRow& a = world.shapes.rows[pair.a];
+    const ShapeRow& b = world.shapes.rows[pair.b];
+    if (!shouldCollide(a.def.filter, b.def.filter)) return false;
+    const Motion& ma = world.motions.rows[world.motions.rowOf[a.body]];
+    const Motion& mb = world.motions.rows[world.motions.rowOf[b.body]];
+    return ma.moves() || mb.moves();
+}
+
+Contact makeContact(const ContactWorld& world, const ShapePair& pair)
+{
+    Contact contact;
+    contact.shapeA = pair.a;
+    contact.shapeB = pair.b;
+    refresh(world, contact);
+    return contact;
+}
+
+void matchPairs(const ContactWorld& world, const std::vector<ShapePair>& pairs, std::vector<Contact>& contacts,
+                const std::function<void(const Contact&)>& onLeave)
+{
+    std::vector<Contact> matched;
+    matched.reserve(pairs.size());
+    std::size_t old = 0;
+    for (const ShapePair& pair : pairs) {
+        if (!mayCollide(world, pair)) continue;
+        for (; old < contacts.size() && isBefore(contacts[old], pair); ++old) onLeave(contacts[old]);
+        if (old < contacts.size() && contacts[old].shapeA == pair.a && contacts[old].shapeB == pair.b) {
+            matched.push_back(contacts[old++]);
+            refresh(world, matched.back());
+        } else {
+            matched.push_back(makeContact(world, pair));
+        }
+    }
+    for (; old < contacts.size(); ++old) onLeave(contacts[old]);
+    contacts.swap(matched);
+}
+
+}  // namespace tamias2d::inline TAMIAS_PRECISION

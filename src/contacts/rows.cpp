@@ -1,0 +1,258 @@
+// SPDX-License-Identifier: MIT
+// The rows of a contact: what it asks of the velocities of its two bodies, and how the answer
+// becomes impulses. Derivation and symbols: docs/theory/contacts.md, sections 3 and 4.
+
+#include "contacts/rows.hpp"
+
+namespace tamias2d::inline TAMIAS_PRECISION {
+
+PlacedPoint placePoint(const Contact& contact, const ManifoldPoint& anchor, Rot qA, Rot qB, Vec2 d)
+{
+    const Vec2 n = contact.normal;
+    const Vec2 surfaceA = rotate(qA, anchor.localA) + contact.radiusA * n;  // from the center of A
+    const Vec2 surfaceB = rotate(qB, anchor.localB) - contact.radiusB * n;  // from the center of B
+    const real separation = dot(n, d + surfaceB - surfaceA);
+
+    // The point goes with the corner, halfway across the gap: the other surface slides past it.
+    PlacedPoint placed;
+    placed.gap = separation - contact.restGap;
+    if (anchor.cornerOnA) {
+        placed.armA = surfaceA + separation / 2 * n;
+        placed.armB = placed.armA - d;
+    } else {
+        placed.armB = surfaceB - separation / 2 * n;
+        placed.armA = placed.armB + d;
+    }
+    return placed;
+}
+
+void prepareContact(Contact& contact, const Motion& a, const Motion& b)
+{
+    const Vec2 d = toVec2(b.center - a.center);
+    const Vec2 n = contact.normal, t = perpendicular(n);
+    for (int i = 0; i < contact.count; ++i) {
+        ContactPointRow& point = contact.points[i];
+        const PlacedPoint placed = placePoint(contact, point.anchor, a.rotation, b.rotation, d);
+        point.armA = placed.armA;
+        point.armB = placed.armB;
+        point.gap = placed.gap;
+        point.normalMass = compliance(a, placed.armA, n) + compliance(b, placed.armB, n);
+        point.tangentMass = compliance(a, placed.armA, t) + compliance(b, placed.armB, t);
+    }
+    if (contact.count == 2) {
+        const ContactPointRow &p = contact.points[0], &q = contact.points[1];
+        contact.crossMass = (a.invMass.x + b.invMass.x) * n.x * n.x + (a.invMass.y + b.invMass.y) * n.y * n.y +
+                            a.invInertia * cross(p.armA, n) * cross(q.armA, n) +
+                            b.invInertia * cross(p.armB, n) * cross(q.armB, n);
+    }
+}
+
+real impactThreshold(const Contact& contact, const Motion& a, const Motion& b, const StepContext& context)
+{
+    const Vec2 n = contact.normal;
+    const real forces = context.h * absolute(dot(n, b.acceleration - a.acceleration));
+    const real contacts = absolute(dot(n, a.steady)) + absolute(dot(n, b.steady));
+    return context.tuning.impactThreshold * (forces + contacts);
+}
+
+void applyImpulse(Motion& a, Motion& b, Vec2 armA, Vec2 armB, Vec2 impulse)
+{
+    a.velocity -= {a.invMass.x * impulse.x, a.invMass.y * impulse.y};
+    a.spin -= a.invInertia * cross(armA, impulse);
+    b.velocity += {b.invMass.x * impulse.x, b.invMass.y * impulse.y};
+    b.spin += b.invInertia * cross(armB, impulse);
+}
+
+bool solveBlock(real k1, real k2, real k12, real r1, real r2, real& x1, real& x2)
+{
+    const real determinant = k1 * k2 - k12 * k12;
+    if (!(determinant > real(1e-4) * k1 * k2)) return false;
+    x1 = (k12 * r2 - k2 * r1) / determinant;
+    x2 = (k12 * r1 - k1 * r2) / determinant;
+    if (x1 >= 0 && x2 >= 0) return true;
+
+    x1 = -r1 / k1, x2 = 0;
+    if (x1 >= 0 && r2 + k12 * x1 >= 0) return true;
+    x1 = 0, x2 = -r2 / k2;
+    if (x2 >= 0 && r1 + k12 * x2 >= 0) return true;
+    x1 = x2 = 0;
+    return true;
+}
+
+namespace {
+
+Vec2 relativeVelocity(const ContactPointRow& point, const Motion& a, const Motion& b)
+{
+    return velocityAt(b, point.armB) - velocityAt(a, point.armA);
+}
+
+// An approach that only the next impact pass may stop: it is elastic, unloaded and fast. Not so once
+// the point is squeezed: left to impacts for ever it would sink.
+bool isLeftToImpacts(const Contact& contact, const ContactPointRow& point, real normalSpeed, real threshold,
+                     const StepContext& context)
+{
+    return contact.restitution > 0 && !point.wasLoaded && contact.impacts < context.tuning.impactsPerContact &&
+           point.gap > -contact.restGap / 2 && normalSpeed < -threshold;
+}
+
+// Normal speed the point may not fall below: it may close its gap within the tick and no more.
+real allowedApproach(const ContactPointRow& point, const StepContext& context)
+{
+    return point.gap > 0 ? point.gap * context.invH : real(0);
+}
+
+real solveNormalsAsBlock(Contact& contact, Motion& a, Motion& b, const StepContext& context, bool& solved)
+{
+    ContactPointRow &p = contact.points[0], &q = contact.points[1];
+    const Vec2 n = contact.normal;
+    const real k12 = contact.crossMass;
+    const real r1 = dot(n, relativeVelocity(p, a, b)) + allowedApproach(p, context) -
+                    p.normalMass * p.normalImpulse - k12 * q.normalImpulse;
+    const real r2 = dot(n, relativeVelocity(q, a, b)) + allowedApproach(q, context) - k12 * p.normalImpulse -
+                    q.normalMass * q.normalImpulse;
+    real x1, x2;
+    solved = solveBlock(p.normalMass, q.normalMass, k12, r1, r2, x1, x2);
+    if (!solved) return 0;
+
+    const real d1 = x1 - p.normalImpulse, d2 = x2 - q.normalImpulse;
+    applyImpulse(a, b, p.armA, p.armB, d1 * n);
+    applyImpulse(a, b, q.armA, q.armB, d2 * n);
+    p.normalImpulse = x1;
+    q.normalImpulse = x2;
+    return maximum(absolute(p.normalMass * d1 + k12 * d2), absolute(k12 * d1 + q.normalMass * d2));
+}
+
+real solveNormal(Contact& contact, ContactPointRow& point, Motion& a, Motion& b, real threshold,
+                 const StepContext& context)
+{
+    const Vec2 n = contact.normal;
+    const real normalSpeed = dot(n, relativeVelocity(point, a, b));
+    if (isLeftToImpacts(contact, point, normalSpeed, threshold, context)) return 0;
+
+    // Contacts push and never pull: it is the running total that stays non-negative.
+    const real wanted = point.normalImpulse - (normalSpeed + allowedApproach(point, context)) / point.normalMass;
+    const real total = maximum(wanted, real(0));
+    const real change = total - point.normalImpulse;
+    applyImpulse(a, b, point.armA, point.armB, change * n);
+    point.normalImpulse = total;
+    return absolute(change * point.normalMass);
+}
+
+void solveFriction(Contact& contact, ContactPointRow& point, Motion& a, Motion& b)
+{
+    if (!(point.tangentMass > 0)) return;
+    const Vec2 t = perpendicular(contact.normal);
+    const real slip = dot(t, relativeVelocity(point, a, b)) + contact.surfaceSpeed;
+    const real limit = contact.friction * point.normalImpulse;
+    const real total = clamp(point.tangentImpulse - slip / point.tangentMass, -limit, limit);
+    applyImpulse(a, b, point.armA, point.armB, (total - point.tangentImpulse) * t);
+    point.tangentImpulse = total;
+}
+
+void solveRolling(Contact& contact, Motion& a, Motion& b)
+{
+    const real k = a.invInertia + b.invInertia;
+    if (!(contact.rolling > 0) || !(k > 0)) return;
+    real load = 0;
+    for (int i = 0; i < contact.count; ++i) load += contact.points[i].normalImpulse;
+    const real limit = contact.rolling * load;
+    const real total = clamp(contact.rollingImpulse - (b.spin - a.spin) / k, -limit, limit);
+    const real change = total - contact.rollingImpulse;
+    a.spin -= a.invInertia * change;
+    b.spin += b.invInertia * change;
+    contact.rollingImpulse = total;
+}
+
+}  // namespace
+
+real solveContact(Contact& contact, Motion& a, Motion& b, const StepContext& context)
+{
+    if (contact.count == 0 || !(contact.points[0].normalMass > 0)) return 0;
+    const bool resting = contact.restitution <= 0 || (contact.points[0].wasLoaded && contact.points[1].wasLoaded);
+
+    real change = 0;
+    bool solved = false;
+    if (contact.count == 2 && resting) change = solveNormalsAsBlock(contact, a, b, context, solved);
+    if (!solved) {
+        const real threshold = impactThreshold(contact, a, b, context);
+        for (int i = 0; i < contact.count; ++i)
+            change = maximum(change, solveNormal(contact, contact.points[i], a, b, threshold, context));
+    }
+    for (int i = 0; i < contact.count; ++i) solveFriction(contact, contact.points[i], a, b);
+    solveRolling(contact, a, b);
+    return change;
+}
+
+void addSteady(const Contact& contact, Motion& a, Motion& b, real sign)
+{
+    const Vec2 n = contact.normal, t = perpendicular(n);
+    for (int i = 0; i < contact.count; ++i) {
+        const ContactPointRow& point = contact.points[i];
+        const Vec2 impulse = sign * (point.normalImpulse * n + point.tangentImpulse * t);
+        a.steady -= {a.invMass.x * impulse.x, a.invMass.y * impulse.y};
+        a.steadySpin -= a.invInertia * cross(point.armA, impulse);
+        b.steady += {b.invMass.x * impulse.x, b.invMass.y * impulse.y};
+        b.steadySpin += b.invInertia * cross(point.armB, impulse);
+    }
+    a.steadySpin -= sign * a.invInertia * contact.rollingImpulse;
+    b.steadySpin += sign * b.invInertia * contact.rollingImpulse;
+}
+
+namespace {
+
+void applyPush(const Motion& m, Push& push, Vec2 arm, Vec2 impulse, real sign)
+{
+    push.shift += sign * Vec2{m.invMass.x * impulse.x, m.invMass.y * impulse.y};
+    push.turn += sign * m.invInertia * cross(arm, impulse);
+}
+
+// Speed asked of the push at a point, as its bias. It aims a little beyond the rest gap, so that a
+// corner at rest does not flicker between pushed and not.
+real pushBias(const Contact& contact, const ContactPointRow& point, const StepContext& context, ClampCounts& clamps)
+{
+    const real gap = point.gap + context.tuning.pushSlack * contact.restGap;
+    if (gap > 0) return gap * context.invH;
+    const real wanted = context.tuning.pushRate * gap * context.invH;
+    const real most = context.pushSpeed() * static_cast<real>(context.ticks);
+    if (wanted >= -most) return wanted;
+    ++clamps.push;
+    return -most;
+}
+
+}  // namespace
+
+void pushContact(Contact& contact, const Motion& a, const Motion& b, Push& pushA, Push& pushB,
+                 const StepContext& context, ClampCounts& clamps)
+{
+    if (contact.count == 0 || !(contact.points[0].normalMass > 0)) return;
+    const Vec2 n = contact.normal;
+    const auto residual = [&](const ContactPointRow& p) {
+        const Vec2 v = pushB.shift + cross(pushB.turn, p.armB) - pushA.shift - cross(pushA.turn, p.armA);
+        return dot(n, v) + pushBias(contact, p, context, clamps);
+    };
+    const auto add = [&](ContactPointRow& p, real total) {
+        const Vec2 impulse = (total - p.pushImpulse) * n;
+        applyPush(a, pushA, p.armA, impulse, -1);
+        applyPush(b, pushB, p.armB, impulse, 1);
+        p.pushImpulse = total;
+    };
+
+    if (contact.count == 2) {
+        ContactPointRow &p = contact.points[0], &q = contact.points[1];
+        const real k12 = contact.crossMass;
+        const real r1 = residual(p) - p.normalMass * p.pushImpulse - k12 * q.pushImpulse;
+        const real r2 = residual(q) - k12 * p.pushImpulse - q.normalMass * q.pushImpulse;
+        real x1, x2;
+        if (solveBlock(p.normalMass, q.normalMass, k12, r1, r2, x1, x2)) {
+            add(p, x1);
+            add(q, x2);
+            return;
+        }
+    }
+    for (int i = 0; i < contact.count; ++i) {
+        ContactPointRow& p = contact.points[i];
+        add(p, maximum(real(0), p.pushImpulse - residual(p) / p.normalMass));
+    }
+}
+
+}  // namespace tamias2d::inline TAMIAS_PRECISION

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "model/contacts.hpp"
+#include "model/motion.hpp"
+#include "model/step_context.hpp"
+
+#include <tamias2d/model/clamps.hpp>
+
+namespace tamias2d::inline TAMIAS_PRECISION {
+
+/// A point of contact at given poses: where it is, and how far apart the surfaces are.
+struct PlacedPoint {
+    Vec2 armA, armB;   ///< from each center of mass   [m]
+    real gap;          ///< beyond the rest gap        [m]
+};
+
+/// The point for rotations `qA`, `qB` and centers `d` = B - A apart. Both arms lead to one place, so
+/// that no impulse at it changes the angular momentum of the two [GD1].
+PlacedPoint placePoint(const Contact& contact, const ManifoldPoint& anchor, Rot qA, Rot qB, Vec2 d);
+
+/// Arms, gaps and effective masses at the present poses.
+void prepareContact(Contact& contact, const Motion& a, const Motion& b);
+
+/// Slowest approach that is an impact: more than what steady forces do within a tick, so that what
+/// rests never bounces, and zero without such forces.   [m/s]
+real impactThreshold(const Contact& contact, const Motion& a, const Motion& b, const StepContext& context);
+
+/// One pass over a contact: normal impulses, then friction on the slip they leave, then rolling
+/// resistance. Returns the greatest change of normal speed it made.   [m/s]
+real solveContact(Contact& contact, Motion& a, Motion& b, const StepContext& context);
+
+/// Displacements that undo overlaps: they move bodies and leave velocities alone.
+struct Push {
+    Vec2 shift;        // as a velocity over one tick   [m/s]
+    real turn = 0;     // [rad/s]
+};
+
+/// One pass of pushing over a contact.
+void pushContact(Contact& contact, const Motion& a, const Motion& b, Push& pushA, Push& pushB,
+                 const StepContext& context, ClampCounts& clamps);
+
+/// Adds (`sign` = 1) or takes away (-1) the velocity changes of the impulses the contact carries.
+void addSteady(const Contact& contact, Motion& a, Motion& b, real sign);
+
+/// Applies an impulse to B at its arm, and its opposite to A [T2].
+void applyImpulse(Motion& a, Motion& b, Vec2 armA, Vec2 armB, Vec2 impulse);
+
+/// Two impulses that are each >= 0 and bring both residuals to >= 0 (with = 0 where the impulse is
+/// > 0): the linear complementarity problem of a two-point contact, solved exactly by its four cases.
+/// `r` are the residuals at zero impulse. False if the block is too near to singular.
+bool solveBlock(real k1, real k2, real k12, real r1, real r2, real& x1, real& x2);
+
+}  // namespace tamias2d::inline TAMIAS_PRECISION

@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: MIT
+#include "contacts/update.hpp"
+
+#include <limits>
+
+namespace tamias2d::inline TAMIAS_PRECISION {
+
+Vec2 expectedAcceleration(const Motion& m, real invH)
+{
+    return m.acceleration - m.damping.rate * m.velocity + invH * m.steady;
+}
+
+real expectedSpinRate(const Motion& m, real invH)
+{
+    return m.spinRate - m.spinDamping.rate * m.spin + invH * m.steadySpin;
+}
+
+Trajectory predictedPath(const Motion& m, Position origin, real invH)
+{
+    Trajectory path;
+    path.position = toVec2(m.center - origin);
+    path.angle = m.angle;
+    path.rotation = m.rotation;
+    path.velocity = m.velocity;
+    path.spin = m.spin;
+    if (m.moves()) {
+        path.acceleration = expectedAcceleration(m, invH);
+        path.spinRate = expectedSpinRate(m, invH);
+    }
+    return path;
+}
+
+SweptPair sweptPairOf(const Contact& contact, const ShapeTable& shapes, const Motion& a, const Motion& b,
+                      real invH)
+{
+    const Position origin = a.extent <= b.extent ? a.center : b.center;
+    return {shapes.rows[contact.shapeA].convex, shapes.rows[contact.shapeB].convex, predictedPath(a, origin, invH),
+            predictedPath(b, origin, invH), contact.restGap};
+}
+
+void adoptManifold(Contact& contact, const SweptResult& result, real matchDistance)
+{
+    const ContactPointRow old[2] = {contact.points[0], contact.points[1]};
+    bool taken[2] = {contact.count < 1, contact.count < 2};
+    const int count = result.near ? result.manifold.count : 0;
+    bool found[2] = {false, false};
+
+    contact.count = count;
+    contact.normal = result.manifold.normal;
+    contact.time = result.manifold.time;
+    contact.atImpact = result.manifold.atImpact;
+    for (int i = 0; i < count; ++i) {
+        contact.points[i] = {};
+        contact.points[i].anchor = result.manifold.points[i];
+    }
+
+    const auto carry = [&](int to, int from) {
+        contact.points[to].normalImpulse = old[from].normalImpulse;
+        contact.points[to].tangentImpulse = old[from].tangentImpulse;
+        contact.points[to].stepNormal = old[from].stepNormal;
+        contact.points[to].stepTangent = old[from].stepTangent;
+        taken[from] = found[to] = true;
+    };
+    for (int i = 0; i < count; ++i)
+        for (int k = 0; k < 2; ++k)
+            if (!found[i] && !taken[k] && old[k].anchor.feature == contact.points[i].anchor.feature) carry(i, k);
+    for (int i = 0; i < count; ++i) {
+        int nearest = -1;
+        real least = matchDistance;
+        for (int k = 0; k < 2; ++k) {
+            const real distance = length(old[k].anchor.localB - contact.points[i].anchor.localB);
+            if (!found[i] && !taken[k] && distance < least) least = distance, nearest = k;
+        }
+        if (nearest >= 0) carry(i, nearest);
+    }
+    if (count == 0) contact.rollingImpulse = 0;
+}
+
+namespace {
+
+// Could the two come near each other within the step if something deflected them?
+bool withinReach(const SweptPair& pair, real dt)
+{
+    const Trajectory &a = pair.pathA, &b = pair.pathB;
+    const real speed = length(a.velocity) + length(b.velocity) + absolute(a.spin) * pair.a.extent +
+                       absolute(b.spin) * pair.b.extent;
+    const real reach = speed * dt + length(a.acceleration - b.acceleration) * dt * dt;
+    return gapAt(pair, 0) <= reach + 3 * pair.restGap;
+}
+
+}  // namespace
+
+void updateForStep(Contact& contact, const ShapeTable& shapes, const MotionTable& motions,
+                   const StepContext& context, ClampCounts& clamps)
+{
+    const Motion &a = motions.rows[contact.rowA], &b = motions.rows[contact.rowB];
+    const SweptPair pair = sweptPairOf(contact, shapes, a, b, context.invH);
+    const real dt = static_cast<real>(context.dt);
+    const SweptResult result = collideSwept(pair, 0, dt);
+
+    clamps.advancement += result.exhausted ? 1 : 0;
+    adoptManifold(contact, result, real(0.3) * maximum(pair.a.size, pair.b.size));
+    const bool inactive = contact.count == 0;
+    contact.swept = contact.atImpact || (inactive && withinReach(pair, dt));
+}
+
+}  // namespace tamias2d::inline TAMIAS_PRECISION

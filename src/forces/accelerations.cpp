@@ -1,0 +1,152 @@
+// SPDX-License-Identifier: MIT
+#include "forces/accelerations.hpp"
+
+namespace tamias2d::inline TAMIAS_PRECISION {
+namespace {
+
+Vec2 gravityOn(const BodyRow& body, Vec2 worldGravity)
+{
+    return body.gravityScale * body.gravity.value_or(worldGravity);
+}
+
+BodyView viewOf(const BodyRow& body, BodyId id, Position center, double angle, Vec2 velocity, real spin)
+{
+    return {id,           center, wrapAngle(angle), toDVec2(velocity), static_cast<double>(spin),
+            static_cast<double>(body.mass), static_cast<double>(body.inertia)};
+}
+
+// The law's answer; nothing, and a fault, if it throws or is no number.
+Wrench evaluate(const ForceLaw& law, const BodyView& view, double time, std::uint32_t& faults)
+{
+    Wrench wrench;
+#if TAMIAS_HAS_EXCEPTIONS
+    try {
+        wrench = law.force(view, time);
+    } catch (...) {
+        ++faults;
+        return {};
+    }
+#else
+    wrench = law.force(view, time);
+#endif
+    if (isFinite(wrench.force) && std::isfinite(wrench.torque)) return wrench;
+    ++faults;
+    return {};
+}
+
+// Forces held on the body: those of this step and the lasting ones, the latter at its present angle.
+Wrench heldForces(const BodyRow& body, const Motion& m)
+{
+    Wrench sum{toDVec2(body.stepForce), static_cast<double>(body.stepTorque)};
+    for (const LastingForce& held : body.lasting) {
+        const Vec2 force = held.forceTurns ? rotate(m.rotation, held.force) : held.force;
+        const Vec2 arm = held.pointTurns ? rotate(m.rotation, held.point) : held.point;
+        sum.force += toDVec2(force);
+        sum.torque += static_cast<double>(cross(arm, force) + held.torque);
+    }
+    return sum;
+}
+
+// T3 between all pairs, by direct sum. Coincident centers pull nowhere.
+void addGravitation(MotionTable& motions, const BodyTable& bodies, double constant)
+{
+    for (std::size_t i = 0; i < motions.rows.size(); ++i) {
+        for (std::size_t k = i + 1; k < motions.rows.size(); ++k) {
+            Motion &a = motions.rows[i], &b = motions.rows[k];
+            const double massA = static_cast<double>(bodies.rows[a.body].mass);
+            const double massB = static_cast<double>(bodies.rows[b.body].mass);
+            if (massA <= 0 || massB <= 0) continue;
+            const DVec2 d = b.center - a.center;
+            const double squared = dot(d, d);
+            if (squared <= 0) continue;
+            const DVec2 pull = (constant / (squared * std::sqrt(squared))) * d;
+            const Vec2 onA = toVec2(massB * pull), onB = toVec2(-massA * pull);
+            if (a.invMass.x > 0) a.acceleration.x += onA.x;
+            if (a.invMass.y > 0) a.acceleration.y += onA.y;
+            if (b.invMass.x > 0) b.acceleration.x += onB.x;
+            if (b.invMass.y > 0) b.acceleration.y += onB.y;
+        }
+    }
+}
+
+void addLaw(const PlacedLaw& placed, Motion& m, const BodyTable& bodies, double time, std::uint32_t& faults)
+{
+    const BodyRow& body = bodies.rows[m.body];
+    if (!body.isDynamic()) return;
+    const BodyView view = viewOf(body, bodies.ids.id(m.body), m.center, m.angle, m.velocity, m.spin);
+    const Wrench wrench = evaluate(placed.law, view, time, faults);
+    const Vec2 force = toVec2(wrench.force);
+    m.acceleration += {m.invMass.x * force.x, m.invMass.y * force.y};
+    m.spinRate += m.invInertia * static_cast<real>(wrench.torque);
+}
+
+}  // namespace
+
+bool ForceField::varies(const BodyTable& bodies) const
+{
+    if (gravitationConstant > 0 || !laws.empty()) return true;
+    for (std::uint32_t i = 0; i < bodies.rows.size(); ++i)
+        if (bodies.ids.isAlive(i) && !bodies.rows[i].lasting.empty()) return true;
+    return false;
+}
+
+std::uint32_t accelerate(MotionTable& motions, const BodyTable& bodies, const ForceField& field, double time)
+{
+    std::uint32_t faults = 0;
+    for (Motion& m : motions.rows) {
+        m.acceleration = {};
+        m.spinRate = 0;
+        const BodyRow& body = bodies.rows[m.body];
+        if (!body.isDynamic()) continue;
+        const Vec2 g = gravityOn(body, field.gravity);
+        const Wrench held = heldForces(body, m);
+        const Vec2 force = toVec2(held.force);
+        m.acceleration = {(m.invMass.x > 0 ? g.x : real(0)) + m.invMass.x * force.x,
+                          (m.invMass.y > 0 ? g.y : real(0)) + m.invMass.y * force.y};
+        m.spinRate = m.invInertia * static_cast<real>(held.torque);
+    }
+    if (field.gravitationConstant > 0) addGravitation(motions, bodies, field.gravitationConstant);
+    for (const PlacedLaw& placed : field.laws) {
+        if (placed.body.isNull()) {
+            for (Motion& m : motions.rows) addLaw(placed, m, bodies, time, faults);
+        } else if (bodies.ids.owns(placed.body)) {
+            const std::uint32_t row = motions.rowOf[placed.body.index];
+            if (row != MotionTable::kNone) addLaw(placed, motions.rows[row], bodies, time, faults);
+        }
+    }
+    return faults;
+}
+
+double potentialEnergy(const BodyRow& body, BodyId id, const ForceField& field, double time)
+{
+    if (!body.isDynamic()) return 0;
+    const Vec2 g = gravityOn(body, field.gravity);
+    const double mass = static_cast<double>(body.mass);
+    double sum = -mass * (static_cast<double>(g.x) * body.center.x + static_cast<double>(g.y) * body.center.y);
+    for (const PlacedLaw& placed : field.laws) {
+        if (!placed.law.potential || (!placed.body.isNull() && placed.body != id)) continue;
+        const BodyView view = viewOf(body, id, body.center, body.angle, body.velocity, body.spin);
+        const double energy = placed.law.potential(view, time);
+        if (std::isfinite(energy)) sum += energy;
+    }
+    return sum;
+}
+
+double gravitationEnergy(const BodyTable& bodies, double gravitationConstant)
+{
+    double sum = 0;
+    if (!(gravitationConstant > 0)) return sum;
+    for (std::uint32_t i = 0; i < bodies.rows.size(); ++i) {
+        if (!bodies.ids.isAlive(i) || !bodies.rows[i].isDynamic() || !bodies.rows[i].enabled) continue;
+        for (std::uint32_t k = i + 1; k < bodies.rows.size(); ++k) {
+            if (!bodies.ids.isAlive(k) || !bodies.rows[k].isDynamic() || !bodies.rows[k].enabled) continue;
+            const double distance = length(bodies.rows[k].center - bodies.rows[i].center);
+            const double masses =
+                static_cast<double>(bodies.rows[i].mass) * static_cast<double>(bodies.rows[k].mass);
+            if (distance > 0) sum -= gravitationConstant * masses / distance;
+        }
+    }
+    return sum;
+}
+
+}  // namespace tamias2d::inline TAMIAS_PRECISION

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "model/bodies.hpp"
+#include "model/motion.hpp"
+
+#include <tamias2d/forces/force_law.hpp>
+
+#include <utility>
+#include <vector>
+
+namespace tamias2d::inline TAMIAS_PRECISION {
+
+/// A law and the body it acts on (a null id: every dynamic body).
+struct PlacedLaw {
+    ForceLawId id;
+    BodyId body;
+    ForceLaw law;
+};
+
+/// All that pushes bodies from outside.
+struct ForceField {
+    Vec2 gravity;                        // [m/s^2]
+    double gravitationConstant = 0;      // [m^3/(kg*s^2)]
+    const std::vector<PlacedLaw>& laws;
+
+    /// Does the acceleration of some body change within a step?
+    bool varies(const BodyTable& bodies) const;
+};
+
+/// Sets acceleration and spinRate of every row from gravity, forces, gravitation and laws, for the
+/// state it has now. Returns how many laws threw or gave no number.
+std::uint32_t accelerate(MotionTable& motions, const BodyTable& bodies, const ForceField& field, double time);
+
+/// Potential energy of gravity and laws on one body, and of the gravitation of all pairs.   [J]
+double potentialEnergy(const BodyRow& body, BodyId id, const ForceField& field, double time);
+double gravitationEnergy(const BodyTable& bodies, double gravitationConstant);
+
+}  // namespace tamias2d::inline TAMIAS_PRECISION

@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <tamias2d/base/config.hpp>
+
+#include <cstdint>
+#include <vector>
+
+namespace tamias2d::inline TAMIAS_PRECISION {
+
+/// Two rows that a constraint ties together.
+struct RowPair {
+    std::uint32_t a, b;
+};
+
+/// Gives every constraint the lowest color that no other constraint of either of its movable rows
+/// has, and returns the constraints sorted by color, then by index. A color may be solved side by
+/// side; beyond 63 colors the last one is solved in order.
+void colorConstraints(const std::vector<RowPair>& constraints, const std::vector<bool>& movable,
+                      std::vector<std::uint32_t>& order);
+
+}  // namespace tamias2d::inline TAMIAS_PRECISION

@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <tamias2d/base/config.hpp>
+
+#include <cstdint>
+#include <vector>
+
+namespace tamias2d::inline TAMIAS_PRECISION {
+
+/// A link between two rows; grounds (rows that nothing pushes) connect nothing.
+struct Link {
+    std::uint32_t a, b;
+};
+
+/// Which rows belong together, and what they stand on.
+struct Islands {
+    static constexpr std::uint32_t kNone = 0xffffffffu;      // no ground
+    static constexpr std::uint32_t kSeveral = 0xfffffffeu;   // grounds that move differently
+
+    std::vector<std::uint32_t> islandOf;  // by row; kNone for a ground
+    std::vector<std::uint32_t> groundOf;  // by island: a row, kNone or kSeveral
+    std::vector<std::uint32_t> sizeOf;    // by island: rows in it
+    std::uint32_t count() const { return static_cast<std::uint32_t>(groundOf.size()); }
+};
+
+/// Groups the pushable rows by links. Islands are numbered in order of their lowest row.
+/// `sameMotion(g1, g2)` says whether two grounds move as one.
+template <class SameMotion>
+Islands linkIslands(const std::vector<Link>& links, const std::vector<bool>& pushable, SameMotion sameMotion)
+{
+    const auto rows = static_cast<std::uint32_t>(pushable.size());
+    std::vector<std::uint32_t> parent(rows);
+    for (std::uint32_t i = 0; i < rows; ++i) parent[i] = i;
+    const auto root = [&](std::uint32_t i) {
+        while (parent[i] != i) i = parent[i] = parent[parent[i]];
+        return i;
+    };
+    for (const Link& link : links) {
+        if (!pushable[link.a] || !pushable[link.b]) continue;
+        const std::uint32_t a = root(link.a), b = root(link.b);
+        if (a != b) parent[a < b ? b : a] = a < b ? a : b;  // the lowest row leads
+    }
+
+    Islands islands;
+    islands.islandOf.assign(rows, Islands::kNone);
+    for (std::uint32_t i = 0; i < rows; ++i) {
+        if (!pushable[i]) continue;
+        const std::uint32_t leader = root(i);
+        if (leader == i) {
+            islands.islandOf[i] = islands.count();
+            islands.groundOf.push_back(Islands::kNone);
+            islands.sizeOf.push_back(1);
+        } else {
+            islands.islandOf[i] = islands.islandOf[leader];
+            ++islands.sizeOf[islands.islandOf[i]];
+        }
+    }
+    for (const Link& link : links) {
+        if (pushable[link.a] == pushable[link.b]) continue;
+        const std::uint32_t ground = pushable[link.a] ? link.b : link.a;
+        std::uint32_t& known = islands.groundOf[islands.islandOf[pushable[link.a] ? link.a : link.b]];
+        if (known == Islands::kNone)
+            known = ground;
+        else if (known != Islands::kSeveral && known != ground && !sameMotion(known, ground))
+            known = Islands::kSeveral;
+    }
+    return islands;
+}
+
+}  // namespace tamias2d::inline TAMIAS_PRECISION

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "narrowphase/manifold.hpp"
+
+#include <cstdint>
+#include <vector>
+
+namespace tamias2d::inline TAMIAS_PRECISION {
+
+/// One point of a contact: where it is, what it carries, and what the solver prepared.
+struct ContactPointRow {
+    ManifoldPoint anchor;
+
+    // Carried from tick to tick and from step to step.
+    real normalImpulse = 0;      // of the last tick     [N*s]   >= 0
+    real tangentImpulse = 0;     // along the normal turned by +90 degrees
+    bool wasLoaded = false;      // at the start of the tick
+
+    // Summed over the step, impacts included.
+    real stepNormal = 0, stepTangent = 0;   // [N*s]
+
+    // Prepared at the poses at hand.
+    Vec2 armA, armB;             // from the centers of mass to the point of contact   [m]
+    real gap = 0;                // beyond the rest gap   [m]
+    real normalMass = 0, tangentMass = 0;   // inverse of the effective masses   [1/kg]
+    real pushImpulse = 0;        // of the pass that undoes overlaps
+};
+
+/// Two shapes whose swept boxes overlap, and all that is known of how they meet.
+///
+/// Invariants: shapeA < shapeB (slots); 0 <= count <= 2; |normal| = 1 if count > 0.
+struct Contact {
+    std::uint32_t shapeA = 0, shapeB = 0;   // slots
+    std::uint32_t rowA = 0, rowB = 0;       // rows of their bodies in the MotionTable
+    Vec2 normal;                 // from A to B
+    int count = 0;
+    ContactPointRow points[2];
+    real radiusA = 0, radiusB = 0;   // of rounding   [m]
+    real restGap = 0;            // [m]
+    real friction = 0, restitution = 0;
+    real rolling = 0;            // rolling resistance x rounding radius   [m]
+    real rollingImpulse = 0;     // [N*m*s]
+    real surfaceSpeed = 0;       // of B's surface against A's along the tangent   [m/s]
+    Vec2 stepImpulse;            // on B, summed over the step, whatever became of the points   [N*s]
+    real crossMass = 0;          // off the diagonal of the two points' 2x2 block   [1/kg]
+    real time = 0;               // of the pose of the manifold, within the tick   [s]
+    bool swept = false;          // looked at again in every tick
+    bool atImpact = false;       // the manifold is that of a moment of impact
+    bool touching = false;       // at the end of the last step
+    int impacts = 0;             // in this tick
+};
+
+/// All contacts, sorted by (shapeA, shapeB); those found in mid-step stand at the end until the next.
+struct ContactTable {
+    std::vector<Contact> rows;
+    std::vector<std::uint32_t> order;   // in which they are solved: by color, then by row
+};
+
+}  // namespace tamias2d::inline TAMIAS_PRECISION

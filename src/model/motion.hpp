@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <tamias2d/math/transform.hpp>
+
+#include <cstdint>
+#include <vector>
+
+namespace tamias2d::inline TAMIAS_PRECISION {
+
+/// How damping changes a kick and a drift, exactly: docs/theory/integration.md, eq. 5-7.
+struct Damping {
+    real rate = 0;        // c                                     [1/s]
+    real keep = 1;        // exp(-c h/2): of the velocity, over half a tick
+    real kickTime = 0;    // (1 - keep)/c: what an acceleration adds in half a tick   [s]
+    real driftTime = 0;   // 2 sinh(c h/2)/c                                          [s]
+    real driftAccel = 0;  // (h - driftTime)/c                                        [s^2]
+};
+
+/// One body while it is being solved. Bodies that cannot move have no inverse mass.
+struct Motion {
+    Position center;           // [m]
+    double angle = 0;          // not wrapped within a step   [rad]
+    Rot rotation;
+    Vec2 velocity;             // [m/s]
+    real spin = 0;             // [rad/s]
+    Vec2 invMass;              // along x and y: a locked axis has 0   [1/kg]
+    real invInertia = 0;       // [1/(kg*m^2)]
+
+    Vec2 acceleration;         // by forces from outside, damping left out   [m/s^2]
+    real spinRate = 0;         // [rad/s^2]
+    Damping damping, spinDamping;
+
+    // Velocity change by the steady contact impulses of the previous tick: the warm start of all
+    // contacts at once, and what makes the prediction of a resting body rest.
+    Vec2 steady;               // [m/s]
+    real steadySpin = 0;       // [rad/s]
+    bool loaded = false;       // some contact of it carries a load
+
+    real extent = 0;           // farthest point of its shapes from the center   [m]
+    std::uint32_t body = 0;    // slot in the BodyTable
+
+    bool moves() const { return invMass.x + invMass.y > 0 || invInertia > 0; }
+};
+
+/// The bodies that take part in a step, sorted by slot, and which row each one has.
+struct MotionTable {
+    static constexpr std::uint32_t kNone = 0xffffffffu;
+
+    std::vector<Motion> rows;
+    std::vector<std::uint32_t> rowOf;  // by body slot; kNone for a disabled or dead body
+};
+
+/// n . M^-1 n for an impulse along `n` at `arm`: how easily the point gives way.   [1/kg]
+inline real compliance(const Motion& m, Vec2 arm, Vec2 n)
+{
+    const real turn = cross(arm, n);
+    return m.invMass.x * n.x * n.x + m.invMass.y * n.y * n.y + m.invInertia * turn * turn;
+}
+
+inline Vec2 velocityAt(const Motion& m, Vec2 arm) { return m.velocity + cross(m.spin, arm); }
+
+}  // namespace tamias2d::inline TAMIAS_PRECISION

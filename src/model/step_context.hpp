@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <tamias2d/model/tuning.hpp>
+
+namespace tamias2d::inline TAMIAS_PRECISION {
+
+/// The numbers of one step, shared by all its stages.
+///
+/// A sub-step is made of two ticks, each with one pass over the contacts: that solves better, at the
+/// same cost, than one tick with two passes (docs/theory/calm.md).
+struct StepContext {
+    double time = 0;        ///< of the world's clock at the start   [s]
+    double dt = 0;          ///< of the whole step                   [s]
+    int ticks = 0;          ///< two for each sub-step
+    real h = 0;             ///< length of a tick                    [s]
+    real invH = 0;          ///< [1/s]
+    real lengthUnit = 1;    ///< [m]
+    Tuning tuning;
+
+    real pushSpeed() const { return tuning.pushSpeed * lengthUnit; }
+    real calmSpeed() const { return tuning.calmSpeed * lengthUnit; }
+};
+
+inline StepContext makeStepContext(const Tuning& tuning, real lengthUnit, double time, double dt, int substeps)
+{
+    StepContext context;
+    context.time = time;
+    context.dt = dt;
+    context.ticks = 2 * substeps;
+    context.h = static_cast<real>(dt / context.ticks);
+    context.invH = 1 / context.h;
+    context.lengthUnit = lengthUnit;
+    context.tuning = tuning;
+    return context;
+}
+
+}  // namespace tamias2d::inline TAMIAS_PRECISION

@@ -1,0 +1,146 @@
+// SPDX-License-Identifier: MIT
+// Calming: docs/theory/calm.md. The sign test keeps it honest: whatever starts to slide or topple
+// gains kinetic energy, and is left alone.
+
+#include "solver/calm.hpp"
+
+namespace tamias2d::inline TAMIAS_PRECISION {
+namespace {
+
+// A rigid motion, and how it changed in the tick.
+struct Reference {
+    Position center;
+    Vec2 velocity, change;
+    real spin = 0, spinChange = 0;
+};
+
+// Mass, motion and what calming took away of an island that stands on nothing.
+struct FreeIsland {
+    double mass = 0, inertia = 0;
+    DVec2 weighted;              // sum of m x, from the island's first body
+    Position first;
+    bool started = false;
+    Reference motion;
+    DVec2 lost;                  // momentum
+    double lostSpin = 0;         // angular momentum about the center
+};
+
+double massOf(const Motion& m) { return 1 / static_cast<double>(maximum(m.invMass.x, m.invMass.y)); }
+double inertiaOf(const Motion& m) { return m.invInertia > 0 ? 1 / static_cast<double>(m.invInertia) : 0; }
+bool hasLockedAxis(const Motion& m) { return !(m.invMass.x > 0 && m.invMass.y > 0); }
+
+// Mass-weighted rigid motion of each island without a ground.
+std::vector<FreeIsland> measureFreeIslands(const std::vector<Motion>& rows, const std::vector<TickChange>& changes,
+                                           const Islands& islands)
+{
+    std::vector<FreeIsland> free(islands.count());
+    const auto each = [&](auto&& visit) {
+        for (std::size_t i = 0; i < rows.size(); ++i) {
+            const std::uint32_t island = islands.islandOf[i];
+            if (island == Islands::kNone || islands.groundOf[island] != Islands::kNone) continue;
+            if (!hasLockedAxis(rows[i])) visit(free[island], rows[i], changes[i]);
+        }
+    };
+    each([](FreeIsland& island, const Motion& m, const TickChange& change) {
+        if (!island.started) island.first = m.center;
+        island.started = true;
+        const double mass = massOf(m);
+        island.mass += mass;
+        island.weighted += mass * (m.center - island.first);
+        island.motion.velocity += static_cast<real>(mass) * m.velocity;
+        island.motion.change += static_cast<real>(mass) * change.velocity;
+    });
+    for (FreeIsland& island : free) {
+        if (!(island.mass > 0)) continue;
+        const real inverse = static_cast<real>(1 / island.mass);
+        island.motion.center = island.first + (1 / island.mass) * island.weighted;
+        island.motion.velocity *= inverse;
+        island.motion.change *= inverse;
+    }
+    each([](FreeIsland& island, const Motion& m, const TickChange& change) {
+        const Vec2 r = toVec2(m.center - island.motion.center);
+        const double mass = massOf(m), inertia = inertiaOf(m);
+        island.inertia += mass * static_cast<double>(dot(r, r)) + inertia;
+        island.motion.spin += static_cast<real>(mass) * cross(r, m.velocity - island.motion.velocity) +
+                              static_cast<real>(inertia) * m.spin;
+        island.motion.spinChange += static_cast<real>(mass) * cross(r, change.velocity - island.motion.change) +
+                                    static_cast<real>(inertia) * change.spin;
+    });
+    for (FreeIsland& island : free) {
+        if (!(island.inertia > 0)) continue;
+        island.motion.spin /= static_cast<real>(island.inertia);
+        island.motion.spinChange /= static_cast<real>(island.inertia);
+    }
+    return free;
+}
+
+Reference motionOfGround(const Motion& ground)
+{
+    Reference reference;
+    reference.center = ground.center;
+    reference.velocity = ground.velocity;
+    reference.spin = ground.spin;
+    return reference;
+}
+
+}  // namespace
+
+void calm(std::vector<Motion>& rows, const std::vector<TickChange>& changes, const Islands& islands,
+          const StepContext& context)
+{
+    const real rate = context.tuning.calmRate;
+    if (!(rate > 0)) return;
+    bool anyFree = false;
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+        const std::uint32_t island = islands.islandOf[i];
+        if (rows[i].loaded && island != Islands::kNone && islands.groundOf[island] == Islands::kNone) anyFree = true;
+    }
+    std::vector<FreeIsland> free;
+    if (anyFree) free = measureFreeIslands(rows, changes, islands);
+
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+        Motion& m = rows[i];
+        const std::uint32_t island = islands.islandOf[i];
+        if (!m.loaded || island == Islands::kNone || islands.sizeOf[island] < 2) continue;  // a lone body is calm
+        const std::uint32_t ground = islands.groundOf[island];
+        if (ground == Islands::kSeveral) continue;  // no one motion to come to rest against
+        const bool isFree = ground == Islands::kNone;
+        if (isFree && hasLockedAxis(m)) continue;   // its momentum could not be given back
+        const Reference reference = isFree ? free[island].motion : motionOfGround(rows[ground]);
+
+        // Motion against the reference, and whether its kinetic energy rises.
+        const Vec2 r = toVec2(m.center - reference.center);
+        const Vec2 u = m.velocity - reference.velocity - cross(reference.spin, r);
+        const real w = m.spin - reference.spin;
+        const Vec2 du = changes[i].velocity - reference.change - cross(reference.spinChange, r);
+        const real dw = changes[i].spin - reference.spinChange;
+        const double mass = massOf(m), inertia = inertiaOf(m);
+        const double power = mass * static_cast<double>(dot(u, du)) + inertia * static_cast<double>(w * dw);
+        const real speed = (length(u) + absolute(w) * m.extent) / context.calmSpeed();
+        if (power > 0 || speed >= 1) continue;
+
+        const real part = rate * (1 - speed * speed);
+        m.velocity -= {m.invMass.x > 0 ? part * u.x : real(0), m.invMass.y > 0 ? part * u.y : real(0)};
+        if (m.invInertia > 0) m.spin -= part * w;
+        if (!isFree) continue;
+        free[island].lost += mass * static_cast<double>(part) * toDVec2(u);
+        free[island].lostSpin +=
+            static_cast<double>(part) * (mass * static_cast<double>(cross(r, u)) + inertia * static_cast<double>(w));
+    }
+
+    // What an island without a ground lost comes back as a rigid motion of the whole.
+    if (!anyFree) return;
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+        Motion& m = rows[i];
+        const std::uint32_t island = islands.islandOf[i];
+        if (island == Islands::kNone || islands.groundOf[island] != Islands::kNone || hasLockedAxis(m)) continue;
+        const FreeIsland& f = free[island];
+        if (!(f.mass > 0) || !(f.inertia > 0)) continue;
+        const Vec2 r = toVec2(m.center - f.motion.center);
+        const real turn = static_cast<real>(f.lostSpin / f.inertia);
+        m.velocity += toVec2((1 / f.mass) * f.lost) + cross(turn, r);
+        if (m.invInertia > 0) m.spin += turn;
+    }
+}
+
+}  // namespace tamias2d::inline TAMIAS_PRECISION

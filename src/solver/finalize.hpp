@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "model/bodies.hpp"
+#include "model/contacts.hpp"
+#include "model/motion.hpp"
+#include "model/shapes.hpp"
+#include "model/step_context.hpp"
+
+namespace tamias2d::inline TAMIAS_PRECISION {
+
+struct FinalCounts {
+    std::uint32_t nonFinite = 0;   // bodies set aside
+    std::uint32_t stopped = 0;     // at the edge of the world
+    double deepestOverlap = 0;     // [m]
+};
+
+/// Writes the solved state back to the bodies and measures the contacts where they are now. A body
+/// whose state is no number is put back where it was, at rest and disabled.
+FinalCounts finalize(MotionTable& motions, ContactTable& contacts, const ShapeTable& shapes, BodyTable& bodies,
+                     const StepContext& context);
+
+/// Does some point of the contact count as touching? Gaps must be those of the present poses.
+bool isTouching(const Contact& contact, const Tuning& tuning);
+
+}  // namespace tamias2d::inline TAMIAS_PRECISION

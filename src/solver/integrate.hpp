@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "contacts/rows.hpp"
+#include "model/motion.hpp"
+
+#include <vector>
+
+namespace tamias2d::inline TAMIAS_PRECISION {
+
+/// The share of an impact's velocity change that comes before the drift of its tick, and after it:
+/// so placed, the position at the end is that of a body hit at the right time.
+struct ImpactKick {
+    Vec2 before, after;                   // [m/s]
+    real spinBefore = 0, spinAfter = 0;   // [rad/s]
+};
+
+/// The constants of exponential damping over a tick of length h: docs/theory/integration.md, eq. 5-7.
+Damping makeDamping(real rate, real h);
+
+/// First kick of a tick. A free body gets half of what acts on it, a loaded one all of it: what
+/// rests on something is solved once, with its whole load.
+void kickFirst(Motion& m, const ImpactKick& kick);
+
+/// Moves the body along its velocity and the push.
+void drift(Motion& m, const Push& push, real h);
+
+/// The rest of the kick, with the acceleration at the new place.
+void kickSecond(Motion& m, const ImpactKick& kick);
+
+/// Holds speed and spin below their bounds; returns whether it had to.
+bool clampSpeed(Motion& m, real lengthUnit);
+
+}  // namespace tamias2d::inline TAMIAS_PRECISION

@@ -1,0 +1,188 @@
+// SPDX-License-Identifier: MIT
+// The order of passes within a step. Each tick: impacts at their times, first kick, one pass over
+// the contacts (more for islands that are not settled), drift, second kick, calming.
+
+#include "solver/solve.hpp"
+
+#include "base/timer.hpp"
+#include "contacts/rows.hpp"
+#include "contacts/update.hpp"
+#include "solver/calm.hpp"
+#include "solver/integrate.hpp"
+
+namespace tamias2d::inline TAMIAS_PRECISION {
+namespace {
+
+// Scratch of one step.
+struct Scratch {
+    std::vector<ImpactKick> kicks;      // by row
+    std::vector<TickChange> changes;    // by row
+    std::vector<Push> pushes;           // by row
+    std::vector<real> unrest;           // by island: greatest change of speed in the last pass   [m/s]
+};
+
+// The warm start of the whole step: what the contacts carry, as velocity changes of the bodies.
+void gatherSteady(SolverStage& stage)
+{
+    for (Motion& m : stage.motions.rows) {
+        m.steady = {};
+        m.steadySpin = 0;
+    }
+    for (Contact& c : stage.contacts.rows) {
+        c.stepImpulse = {};
+        for (ContactPointRow& point : c.points) point.stepNormal = point.stepTangent = 0;
+        prepareContact(c, stage.motions.rows[c.rowA], stage.motions.rows[c.rowB]);
+        addSteady(c, stage.motions.rows[c.rowA], stage.motions.rows[c.rowB], 1);
+    }
+}
+
+void markLoaded(SolverStage& stage)
+{
+    for (Motion& m : stage.motions.rows) m.loaded = false;
+    for (Contact& c : stage.contacts.rows) {
+        for (int i = 0; i < c.count; ++i) {
+            ContactPointRow& point = c.points[i];
+            point.wasLoaded = point.normalImpulse > 0;
+            point.pushImpulse = 0;
+            if (point.wasLoaded) stage.motions.rows[c.rowA].loaded = stage.motions.rows[c.rowB].loaded = true;
+        }
+    }
+}
+
+std::uint32_t islandOf(const SolverStage& stage, const Contact& c)
+{
+    const std::uint32_t island = stage.islands.islandOf[c.rowA];
+    return island != Islands::kNone ? island : stage.islands.islandOf[c.rowB];
+}
+
+// One pass settles what rests. An island whose speeds it still changed gets further passes, up to a
+// limit, on its own: its neighbors never notice.
+void solvePasses(SolverStage& stage, const StepContext& context, Scratch& scratch)
+{
+    const real restless = context.tuning.restless * context.lengthUnit;
+    for (int pass = 0; pass <= context.tuning.extraPasses; ++pass) {
+        const std::vector<real> before = scratch.unrest;
+        scratch.unrest.assign(stage.islands.count(), 0);
+        bool again = false;
+        for (const std::uint32_t i : stage.contacts.order) {
+            Contact& c = stage.contacts.rows[i];
+            if (c.count == 0) continue;
+            const std::uint32_t island = islandOf(stage, c);
+            if (pass > 0 && !(before[island] > restless)) continue;
+            const real change = solveContact(c, stage.motions.rows[c.rowA], stage.motions.rows[c.rowB], context);
+            scratch.unrest[island] = maximum(scratch.unrest[island], change);
+            again = again || change > restless;
+        }
+        if (!again) return;
+    }
+}
+
+// Once in a step, overlaps are undone by displacements that leave velocities alone.
+void pushApart(SolverStage& stage, const StepContext& context, Scratch& scratch, ClampCounts& clamps)
+{
+    for (const std::uint32_t i : stage.contacts.order) {
+        Contact& c = stage.contacts.rows[i];
+        pushContact(c, stage.motions.rows[c.rowA], stage.motions.rows[c.rowB], scratch.pushes[c.rowA],
+                    scratch.pushes[c.rowB], context, clamps);
+    }
+}
+
+void addUpImpulses(SolverStage& stage)
+{
+    for (Contact& c : stage.contacts.rows) {
+        for (int i = 0; i < c.count; ++i) {
+            ContactPointRow& point = c.points[i];
+            point.stepNormal += point.normalImpulse;
+            point.stepTangent += point.tangentImpulse;
+            c.stepImpulse += point.normalImpulse * c.normal + point.tangentImpulse * perpendicular(c.normal);
+        }
+    }
+}
+
+// The second kick of a force that varies: taken at the new place and at the velocity expected there,
+// so that forces that depend on velocity are second order too.
+std::uint32_t accelerateAfterDrift(SolverStage& stage, const StepContext& context, double time)
+{
+    std::vector<Motion>& rows = stage.motions.rows;
+    std::vector<std::pair<Vec2, real>> held(rows.size());
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+        held[i] = {rows[i].velocity, rows[i].spin};
+        if (rows[i].loaded) continue;
+        rows[i].velocity += context.h / 2 * rows[i].acceleration;
+        rows[i].spin += context.h / 2 * rows[i].spinRate;
+    }
+    const std::uint32_t faults = accelerate(stage.motions, stage.world.bodies, stage.field, time);
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+        rows[i].velocity = held[i].first;
+        rows[i].spin = held[i].second;
+    }
+    return faults;
+}
+
+}  // namespace
+
+SolverCounts solve(SolverStage& stage, const StepContext& context)
+{
+    SolverCounts counts;
+    Scratch scratch;
+    std::vector<Motion>& rows = stage.motions.rows;
+    std::uint32_t groups = 0;
+    ImpactStage impacts{stage.world,   stage.motions, stage.contacts,  stage.boxes, scratch.kicks,
+                        stage.impacts, counts.clamps, counts.repaired, groups};
+
+    for (Motion& m : rows) {
+        const BodyRow& body = stage.world.bodies.rows[m.body];
+        m.damping = makeDamping(m.moves() ? body.linearDamping : real(0), context.h);
+        m.spinDamping = makeDamping(m.moves() ? body.angularDamping : real(0), context.h);
+    }
+    gatherSteady(stage);
+    const bool varies = stage.field.varies(stage.world.bodies);
+
+    Stopwatch watch;
+    for (int tick = 0; tick < context.ticks; ++tick) {
+        const double time = context.time + context.dt * tick / context.ticks;
+        scratch.kicks.assign(rows.size(), {});
+        scratch.changes.assign(rows.size(), {});
+        scratch.pushes.assign(rows.size(), {});
+        if (varies && tick > 0) counts.lawFaults += accelerate(stage.motions, stage.world.bodies, stage.field, time);
+
+        // Impacts at their times.
+        resweepForTick(impacts, context);
+        for (Contact& c : stage.contacts.rows) prepareContact(c, rows[c.rowA], rows[c.rowB]);
+        applyImpacts(impacts, context, tick);
+        counts.impactTime += watch.lap();
+
+        // First kick, contacts.
+        markLoaded(stage);
+        for (std::size_t i = 0; i < rows.size(); ++i) {
+            kickFirst(rows[i], scratch.kicks[i]);
+            scratch.changes[i] = {-rows[i].velocity, -rows[i].spin};
+        }
+        solvePasses(stage, context, scratch);
+        if (tick == 0) pushApart(stage, context, scratch, counts.clamps);
+        for (std::size_t i = 0; i < rows.size(); ++i) {
+            scratch.changes[i].velocity += rows[i].velocity + rows[i].steady;
+            scratch.changes[i].spin += rows[i].spin + rows[i].steadySpin;
+        }
+        addUpImpulses(stage);
+
+        // Drift, second kick.
+        for (std::size_t i = 0; i < rows.size(); ++i) drift(rows[i], scratch.pushes[i], context.h);
+        if (varies) counts.lawFaults += accelerateAfterDrift(stage, context, time + context.dt / context.ticks);
+        for (std::size_t i = 0; i < rows.size(); ++i) {
+            Motion& m = rows[i];
+            kickSecond(m, scratch.kicks[i]);
+            m.steady = scratch.changes[i].velocity;
+            m.steadySpin = scratch.changes[i].spin;
+            scratch.changes[i].velocity += context.h * m.acceleration;
+            scratch.changes[i].spin += context.h * m.spinRate;
+        }
+        calm(rows, scratch.changes, stage.islands, context);
+        for (Motion& m : rows)
+            if (m.moves() && clampSpeed(m, context.lengthUnit)) ++counts.clamps.speed;
+        counts.solveTime += watch.lap();
+    }
+    return counts;
+}
+
+}  // namespace tamias2d::inline TAMIAS_PRECISION

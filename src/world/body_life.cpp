@@ -1,0 +1,152 @@
+// SPDX-License-Identifier: MIT
+// Creating and destroying: the only code that touches all tables at once.
+
+#include "world/impl.hpp"
+
+#include <algorithm>
+
+namespace tamias2d::inline TAMIAS_PRECISION {
+
+BodyId World::Impl::createBody(const BodyDef& def)
+{
+    const BodyId body = bodies.ids.take();
+    if (body.index == bodies.rows.size()) bodies.rows.emplace_back();
+    BodyRow& b = bodies.rows[body.index];
+    b = {};
+    b.type = def.type;
+    b.enabled = def.enabled;
+    b.lockX = def.lockX;
+    b.lockY = def.lockY;
+    b.lockRotation = def.lockRotation;
+    b.angle = wrapAngle(def.angle);
+    b.rotation = Rot::ofAngle(b.angle);
+    b.linearDamping = def.linearDamping;
+    b.angularDamping = def.angularDamping;
+    b.gravityScale = def.gravityScale;
+    b.gravity = def.gravity;
+    b.name = def.name;
+    b.userData = def.userData;
+    if (def.type != BodyType::Static) {
+        b.velocity = def.linearVelocity;
+        b.spin = def.angularVelocity;
+    }
+    if (def.mass) {
+        b.massIsSet = true;
+        b.mass = def.mass->mass;
+        b.inertia = def.mass->inertia;
+        b.localCenter = def.mass->center;
+    } else {
+        b.mass = 1;  // of a body without shapes; it cannot turn
+    }
+    b.center = def.position + toDVec2(rotate(b.rotation, b.localCenter));
+    b.previousCenter = b.center;
+    b.previousAngle = b.angle;
+    b.previousLocalCenter = b.localCenter;
+    return body;
+}
+
+void World::Impl::destroyBody(BodyId body)
+{
+    while (!row(body).shapes.empty()) destroyShape(row(body).shapes.back());
+    std::erase_if(laws, [&](const PlacedLaw& placed) {
+        if (placed.body != body) return false;
+        lawIds.giveBack(placed.id.index);
+        return true;
+    });
+    row(body) = {};
+    bodies.ids.giveBack(body.index);
+}
+
+ShapeId World::Impl::createShape(BodyId body, const ShapeDef& def)
+{
+    const ShapeId shape = shapes.ids.take();
+    if (shape.index == shapes.rows.size()) shapes.rows.emplace_back();
+    shapes.rows[shape.index] = {};
+    shapes.rows[shape.index].body = body.index;
+    shapes.rows[shape.index].def = def;
+    row(body).shapes.push_back(shape.index);
+    rebuildConvex(shape.index);
+    updateMass(body.index);
+    return shape;
+}
+
+void World::Impl::destroyShape(std::uint32_t slot)
+{
+    endContacts(slot);
+    const std::uint32_t body = shapes.rows[slot].body;
+    std::erase(bodies.rows[body].shapes, slot);
+    shapes.rows[slot] = {};
+    shapes.ids.giveBack(slot);
+    updateMass(body);
+}
+
+// Contacts of a shape that leaves: those that touched are told as ended.
+void World::Impl::endContacts(std::uint32_t slot)
+{
+    std::erase_if(contacts.rows, [&](const Contact& contact) {
+        if (contact.shapeA != slot && contact.shapeB != slot) return false;
+        if (contact.touching) endsOfDestroyed.push_back(touchEvent(contact));
+        return true;
+    });
+    contacts.order.clear();  // made anew in the next step
+}
+
+void World::Impl::rebuildConvex(std::uint32_t slot)
+{
+    ShapeRow& shape = shapes.rows[slot];
+    shape.convex = makeConvex(shape.def.geometry, shape.def.offset, Rot::ofAngle(wrapAngle(shape.def.angle)),
+                              bodies.rows[shape.body].localCenter);
+}
+
+// Mass, center and inertia from the shapes [DD1, DD14]. The body's origin stays where it is, and the
+// velocity of its matter too.
+void World::Impl::updateMass(std::uint32_t slot)
+{
+    BodyRow& b = bodies.rows[slot];
+    const Position origin = b.origin();
+    const Vec2 oldCenter = b.localCenter;
+    if (!b.massIsSet) {
+        double mass = 0, inertia = 0;
+        DVec2 weighted;
+        for (const std::uint32_t s : b.shapes) {
+            const ShapeDef& def = shapes.rows[s].def;
+            const MassProperties part = massProperties(def.geometry, def.density);
+            const DVec2 center = toDVec2(def.offset + rotate(Rot::ofAngle(wrapAngle(def.angle)), part.center));
+            const double m = static_cast<double>(part.mass);
+            mass += m;
+            weighted += m * center;
+            inertia += static_cast<double>(part.inertia) + m * dot(center, center);
+        }
+        if (mass > 0) {
+            const DVec2 center = (1 / mass) * weighted;
+            b.mass = static_cast<real>(mass);
+            b.localCenter = toVec2(center);
+            b.inertia = static_cast<real>(maximum(0.0, inertia - mass * dot(center, center)));
+        } else {
+            b.mass = 1;
+            b.localCenter = {};
+            b.inertia = 0;
+        }
+    }
+    b.center = origin + toDVec2(rotate(b.rotation, b.localCenter));
+    b.velocity += cross(b.spin, rotate(b.rotation, b.localCenter - oldCenter));
+    for (const std::uint32_t s : b.shapes) rebuildConvex(s);
+
+    // Contact anchors are seen from the center of mass: they move with it.
+    const Vec2 shift = oldCenter - b.localCenter;
+    if (shift == Vec2{}) return;
+    for (Contact& contact : contacts.rows) {
+        for (ContactPointRow& point : contact.points) {
+            if (shapes.rows[contact.shapeA].body == slot) point.anchor.localA += shift;
+            if (shapes.rows[contact.shapeB].body == slot) point.anchor.localB += shift;
+        }
+    }
+}
+
+TouchEvent World::Impl::touchEvent(const Contact& contact) const
+{
+    return {shapes.ids.id(contact.shapeA), shapes.ids.id(contact.shapeB),
+            bodies.ids.id(shapes.rows[contact.shapeA].body), bodies.ids.id(shapes.rows[contact.shapeB].body)};
+}
+
+}  // namespace tamias2d::inline TAMIAS_PRECISION

@@ -1,0 +1,150 @@
+// SPDX-License-Identifier: MIT
+// The rules of every input [R4], in one place.
+
+#include "geometry/validate.hpp"
+#include "world/impl.hpp"
+
+namespace tamias2d::inline TAMIAS_PRECISION {
+namespace {
+
+constexpr double kTiny = std::numeric_limits<float>::min();  // smallest value that divides safely
+constexpr double kHuge = 1e30;                               // and largest: products stay finite in float
+
+std::string bound(double value, std::string_view unit)
+{
+    return textOf(value) + " " + std::string(unit);
+}
+
+}  // namespace
+
+bool refuse(const Complaint& complaint)
+{
+    if (!complaint) return false;
+    fail(*complaint);
+    return true;
+}
+
+Complaint checkPosition(std::string_view field, Position position, real lengthUnit)
+{
+    const double most = kMaxPosition * static_cast<double>(lengthUnit);
+    return checkThat(isFiniteValue(position) && absolute(position.x) <= most && absolute(position.y) <= most, field,
+                     position, "must be finite, each coordinate within +-" + bound(most, "m"));
+}
+
+Complaint checkVelocity(std::string_view field, Vec2 velocity, real lengthUnit)
+{
+    const double most = kMaxSpeed * static_cast<double>(lengthUnit);
+    const double speed = length(toDVec2(velocity));
+    return checkThat(isFiniteValue(velocity) && speed <= most, field, velocity,
+                     "must be finite, its length at most " + bound(most, "m/s"));
+}
+
+Complaint checkSpin(std::string_view field, real spin)
+{
+    return checkRange(field, spin, -kMaxSpin, kMaxSpin, "must be finite and within +-1e6 rad/s");
+}
+
+Complaint checkMixingRule(std::string_view field, MixingRule rule, bool worldAllowed)
+{
+    const auto number = static_cast<int>(rule);
+    return checkThat(number >= (worldAllowed ? 0 : 1) && number <= static_cast<int>(MixingRule::Maximum), field, number,
+                     worldAllowed ? "must be one of MixingRule" : "must be one of MixingRule, and not World");
+}
+
+Complaint check(const Tuning& t)
+{
+    return Checks()
+        .range("Tuning.restGap", t.restGap, 1e-6, 0.1, "must be in [1e-6, 0.1]")
+        .range("Tuning.touchingFactor", t.touchingFactor, 1, 3, "must be in [1, 3]")
+        .range("Tuning.pushRate", t.pushRate, 0, 1, "must be in [0, 1]")
+        .range("Tuning.pushSpeed", t.pushSpeed, kTiny, kMaxSpeed, "must be > 0 lengthUnit/s and finite")
+        .range("Tuning.pushSlack", t.pushSlack, 0, 1, "must be in [0, 1]")
+        .range("Tuning.extraPasses", t.extraPasses, 0, 100, "must be in [0, 100]")
+        .range("Tuning.restless", t.restless, kTiny, kMaxSpeed, "must be > 0 lengthUnit/s and finite")
+        .that(t.calmRate >= 0 && t.calmRate < 1, "Tuning.calmRate", t.calmRate, "must be in [0, 1)")
+        .range("Tuning.calmSpeed", t.calmSpeed, kTiny, kMaxSpeed, "must be > 0 lengthUnit/s and finite")
+        .range("Tuning.impactThreshold", t.impactThreshold, 0.1, 10, "must be in [0.1, 10]")
+        .range("Tuning.impactsPerContact", t.impactsPerContact, 2, 1000, "must be in [2, 1000]")
+        .range("Tuning.impactSweeps", t.impactSweeps, 1, 1000, "must be in [1, 1000]")
+        .first();
+}
+
+Complaint check(const WorldDef& def)
+{
+    return Checks()
+        .finite("WorldDef.gravity", def.gravity, "must be finite m/s^2")
+        .range("WorldDef.gravitationConstant", def.gravitationConstant, 0, kAnyFinite,
+               "must be finite and >= 0 m^3/(kg*s^2)")
+        .range("WorldDef.lengthUnit", def.lengthUnit, 1e-6, 1e6, "must be in [1e-6, 1e6] m")
+        .add(checkMixingRule("WorldDef.frictionMixing", def.frictionMixing, false))
+        .add(checkMixingRule("WorldDef.restitutionMixing", def.restitutionMixing, false))
+        .add(check(def.tuning))
+        .first();
+}
+
+Complaint check(const Material& m)
+{
+    return Checks()
+        .range("Material.friction", m.friction, 0, 1e6, "must be in [0, 1e6]")
+        .range("Material.restitution", m.restitution, 0, 1, "must be in [0, 1]")
+        .range("Material.rollingResistance", m.rollingResistance, 0, 1e6, "must be in [0, 1e6]")
+        .range("Material.surfaceSpeed", m.surfaceSpeed, -kMaxSpeed, kMaxSpeed, "must be finite and within +-1e6 m/s")
+        .add(checkMixingRule("Material.frictionMixing", m.frictionMixing, true))
+        .add(checkMixingRule("Material.restitutionMixing", m.restitutionMixing, true))
+        .first();
+}
+
+Complaint check(const MassProperties& m, real lengthUnit)
+{
+    const double most = kMaxSize * static_cast<double>(lengthUnit);
+    return Checks()
+        .range("MassProperties.mass", m.mass, kTiny, kHuge, "must be finite and > 0 kg")
+        .that(isFiniteValue(m.center) && length(toDVec2(m.center)) <= most, "MassProperties.center", m.center,
+              "must be finite and within " + bound(most, "m") + " of the origin")
+        .that(m.inertia == 0 || (m.inertia >= real(kTiny) && m.inertia <= real(kHuge)), "MassProperties.inertia", m.inertia,
+              "must be finite and >= 0 kg*m^2")
+        .first();
+}
+
+Complaint check(const BodyDef& def, real lengthUnit)
+{
+    const auto type = static_cast<int>(def.type);
+    Checks checks;
+    checks.that(type >= 0 && type <= 2, "BodyDef.type", type, "must be Static, Kinematic or Dynamic")
+        .add(checkPosition("BodyDef.position", def.position, lengthUnit))
+        .finite("BodyDef.angle", def.angle, "must be finite rad")
+        .add(checkVelocity("BodyDef.linearVelocity", def.linearVelocity, lengthUnit))
+        .add(checkSpin("BodyDef.angularVelocity", def.angularVelocity))
+        .range("BodyDef.linearDamping", def.linearDamping, 0, kHuge, "must be finite and >= 0 1/s")
+        .range("BodyDef.angularDamping", def.angularDamping, 0, kHuge, "must be finite and >= 0 1/s")
+        .finite("BodyDef.gravityScale", def.gravityScale)
+        .finite("BodyDef.gravity", def.gravity.value_or(Vec2{}), "must be finite m/s^2");
+    if (def.mass) checks.add(check(*def.mass, lengthUnit));
+    return checks.first();
+}
+
+Complaint check(const ShapeDef& def, real lengthUnit)
+{
+    const double unit = static_cast<double>(lengthUnit);
+    return Checks()
+        .add(checkGeometry("ShapeDef.geometry", def.geometry, kMinSize * unit, kMaxSize * unit))
+        .that(isFiniteValue(def.offset) && length(toDVec2(def.offset)) <= kMaxSize * unit, "ShapeDef.offset", def.offset,
+              "must be finite, its length at most " + bound(kMaxSize * unit, "m"))
+        .finite("ShapeDef.angle", def.angle, "must be finite rad")
+        .range("ShapeDef.density", def.density, 0, kHuge, "must be finite and >= 0 kg/m^2")
+        .add(check(def.material))
+        .first();
+}
+
+Complaint check(const LastingForce& f, real lengthUnit)
+{
+    const double most = kMaxPosition * static_cast<double>(lengthUnit);
+    return Checks()
+        .finite("LastingForce.force", f.force, "must be finite N")
+        .that(isFiniteValue(f.point) && length(toDVec2(f.point)) <= most, "LastingForce.point", f.point,
+              "must be finite, its length at most " + bound(most, "m"))
+        .finite("LastingForce.torque", f.torque, "must be finite N*m")
+        .first();
+}
+
+}  // namespace tamias2d::inline TAMIAS_PRECISION
