@@ -1,0 +1,254 @@
+// SPDX-License-Identifier: MIT
+#include "replay.hpp"
+
+#include "replay_page.hpp"
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <limits>
+
+namespace tamias2d::cli::TAMIAS_PRECISION {
+
+namespace {
+
+constexpr std::int64_t kMostFrames = 1500;
+constexpr std::size_t kMostBytes = 18'000'000;  // of frames; the page stays below 20 MB
+constexpr std::string_view kPlace = "/*TAMIAS_REPLAY_DATA*/";
+
+using Json = nlohmann::ordered_json;
+
+/// With so many decimals and no trailing zeros; what is no number is null.
+void appendFixed(std::string& out, double value, int decimals)
+{
+    if (!std::isfinite(value)) {
+        out += "null";
+        return;
+    }
+    const std::size_t start = out.size();
+    fmt::format_to(std::back_inserter(out), "{:.{}f}", value, decimals);
+    if (decimals > 0) out.erase(out.find_last_not_of('0') + 1);
+    if (out.back() == '.') out.pop_back();
+    if (out.compare(start, std::string::npos, "-0") == 0) out.replace(start, 2, "0");
+}
+
+/// With so many significant digits.
+void appendShort(std::string& out, double value, int digits)
+{
+    if (std::isfinite(value)) fmt::format_to(std::back_inserter(out), "{:.{}g}", value, digits);
+    else out += "null";
+}
+
+/// "[x,y,nx,ny,impulse]," of an impulse at a point.
+void appendImpulse(std::string& out, Position at, Vec2 normal, real impulse, int decimals)
+{
+    out += '[';
+    appendFixed(out, at.x, decimals);
+    out += ',';
+    appendFixed(out, at.y, decimals);
+    out += ',';
+    appendFixed(out, static_cast<double>(normal.x), 4);
+    out += ',';
+    appendFixed(out, static_cast<double>(normal.y), 4);
+    out += ',';
+    appendShort(out, static_cast<double>(impulse), 4);
+    out += "],";
+}
+
+void dropComma(std::string& out)
+{
+    if (!out.empty() && out.back() == ',') out.pop_back();
+}
+
+struct ShapeOutline {
+    const char* kind;
+    std::vector<Vec2> points;
+    real radius;
+};
+
+struct OutlineOf {
+    ShapeOutline operator()(const Circle& s) const { return {"circle", {s.center}, s.radius}; }
+    ShapeOutline operator()(const Capsule& s) const { return {"capsule", {s.a, s.b}, s.radius}; }
+    ShapeOutline operator()(const Segment& s) const { return {"segment", {s.a, s.b}, s.radius}; }
+    ShapeOutline operator()(const Polygon& s) const
+    {
+        return {"polygon", {s.points().begin(), s.points().end()}, s.radius};
+    }
+};
+
+/// The shape in its body's frame.
+Json shapeJson(const ShapeDef& def)
+{
+    const ShapeOutline outline = std::visit(OutlineOf{}, def.geometry);
+    const Rot turn = Rot::ofAngle(def.angle);
+    Json points = Json::array();
+    for (const Vec2 point : outline.points) {
+        const Vec2 placed = def.offset + rotate(turn, point);
+        points.push_back({placed.x, placed.y});
+    }
+    return {{"kind", outline.kind}, {"points", points}, {"radius", outline.radius}};
+}
+
+const char* typeName(BodyType type)
+{
+    switch (type) {
+    case BodyType::Static: return "static";
+    case BodyType::Kinematic: return "kinematic";
+    case BodyType::Dynamic: break;
+    }
+    return "dynamic";
+}
+
+Json bodyJson(const Body& body)
+{
+    Json shapes = Json::array();
+    for (const Shape& shape : body.shapes()) shapes.push_back(shapeJson(shape.definition()));
+    return {{"name", body.name()}, {"type", typeName(body.type())}, {"shapes", shapes}};
+}
+
+/// The text of JSON for inside a <script>: a name such as "</script>" must not end it.
+std::string scriptText(const Json& value)
+{
+    std::string out;
+    for (const char c : value.dump(-1, ' ', false, Json::error_handler_t::replace)) {
+        if (c == '<') out += "\\u003c";
+        else out += c;
+    }
+    return out;
+}
+
+Json headJson(const Scene& scene, const ReplayTiming& timing)
+{
+    Json head = {{"title", scene.info.title.empty() ? "A scene" : scene.info.title},
+                 {"precision", std::numeric_limits<real>::digits > 24 ? "f64" : "f32"},
+                 {"rate", timing.rate},
+                 {"substeps", timing.substeps},
+                 {"version", TAMIAS_VERSION}};
+    if (const auto& view = scene.info.view) {
+        head["view"] = {{"lower", {view->lower.x, view->lower.y}}, {"upper", {view->upper.x, view->upper.y}}};
+    }
+    head["bodies"] = Json::array();
+    for (const BodyId id : scene.world->bodies()) head["bodies"].push_back(bodyJson(scene.world->body(id)));
+    return head;
+}
+
+}  // namespace
+
+Replay::Replay(const Scene& scene, const ReplayTiming& timing)
+    : timing_(timing), bodies_(scene.world->bodies()), states_(bodies_.size())
+{
+    head_ = scriptText(headJson(scene, timing));
+    head_.pop_back();  // its closing brace comes after the frames
+    stride_ = std::max<std::int64_t>(1, (timing.steps + kMostFrames - 1) / kMostFrames);
+    const double unit = static_cast<double>(scene.world->definition().lengthUnit);
+    decimals_ = std::clamp(5 - static_cast<int>(std::lround(std::log10(unit))), 0, 15);
+    addFrame(*scene.world);
+}
+
+void Replay::add(const World& world)
+{
+    ++step_;
+    noteHits(world);
+    if (step_ % stride_ == 0) addFrame(world);
+    if (bytes_ > kMostBytes) thinOut();
+}
+
+void Replay::noteHits(const World& world)
+{
+    for (const HitEvent& hit : world.events().hits) {
+        appendImpulse(hits_, hit.point, hit.normal, hit.normalImpulse, decimals_);
+    }
+}
+
+void Replay::addFrame(const World& world)
+{
+    std::string out = "{\"t\":";
+    appendShort(out, world.time(), 9);
+
+    world.readStates(bodies_, states_);
+    out += ",\"poses\":[";
+    for (const BodyState& s : states_) {
+        appendFixed(out, s.position.x, decimals_);
+        out += ',';
+        appendFixed(out, s.position.y, decimals_);
+        out += ',';
+        appendFixed(out, s.angle, 5);
+        out += ',';
+    }
+    dropComma(out);
+    out += "],\"velocities\":[";
+    for (const BodyState& s : states_) {
+        for (const real v : {s.linearVelocity.x, s.linearVelocity.y, s.angularVelocity}) {
+            appendShort(out, static_cast<double>(v), 5);
+            out += ',';
+        }
+    }
+    dropComma(out);
+    out += "],\"contacts\":[";
+    for (const ContactView& contact : world.contacts()) {
+        for (int i = 0; contact.touching && i < contact.pointCount; ++i) {
+            const ContactPoint& point = contact.points[static_cast<std::size_t>(i)];
+            appendImpulse(out, point.position, contact.normal, point.normalImpulse, decimals_);
+        }
+    }
+    dropComma(out);
+
+    const Energy energy = world.energy();
+    const Momentum momentum = world.momentum();
+    out += "],\"energy\":[";
+    for (const double e : {energy.kinetic(), energy.potential, energy.total()}) {
+        appendShort(out, e, 9);
+        out += ',';
+    }
+    dropComma(out);
+    out += "],\"momentum\":[";
+    for (const double p : {momentum.linear.x, momentum.linear.y, momentum.angular}) {
+        appendShort(out, p, 6);
+        out += ',';
+    }
+    dropComma(out);
+    out += ']';
+
+    bytes_ += out.size() + hits_.size();
+    frames_.push_back({std::move(out), std::move(hits_)});
+    hits_.clear();
+    framedStep_ = step_;
+}
+
+/// Leaves out every second frame; the hits of those go to the frame after.
+void Replay::thinOut()
+{
+    std::vector<Frame> kept;
+    std::string carried;
+    bytes_ = 0;
+    for (std::size_t i = 0; i < frames_.size(); ++i) {
+        carried += frames_[i].hits;
+        if (i % 2 == 1) continue;
+        bytes_ += frames_[i].state.size() + carried.size();
+        kept.push_back({std::move(frames_[i].state), std::move(carried)});
+        carried.clear();
+    }
+    hits_ = carried + hits_;
+    frames_ = std::move(kept);
+    stride_ *= 2;
+}
+
+void Replay::write(OutputFile& file, const World& world)
+{
+    if (framedStep_ != step_) addFrame(world);
+    std::ostream& out = file.stream();
+    const std::string_view page = replayPage();
+    const std::size_t place = page.find(kPlace);
+    out << page.substr(0, place) << head_ << ",\"dt\":" << static_cast<double>(stride_) / timing_.rate
+        << ",\"frames\":[";
+    for (std::size_t i = 0; i < frames_.size(); ++i) {
+        dropComma(frames_[i].hits);
+        out << (i == 0 ? "\n" : ",\n") << frames_[i].state << ",\"hits\":[" << frames_[i].hits << "]}";
+    }
+    out << "\n]}" << page.substr(place + kPlace.size());
+}
+
+}  // namespace tamias2d::cli::TAMIAS_PRECISION
