@@ -98,13 +98,12 @@ void World::Impl::rebuildConvex(std::uint32_t slot)
                               bodies.rows[shape.body].localCenter);
 }
 
-// Mass, center and inertia from the shapes [DD1, DD14]. The body's origin stays where it is, and the
-// velocity of its matter too.
+// Mass, center and inertia from the shapes [DD1, DD14].
 void World::Impl::updateMass(std::uint32_t slot)
 {
     BodyRow& b = bodies.rows[slot];
     const Position origin = b.origin();
-    const Vec2 oldCenter = b.localCenter;
+    const Vec2 before = b.localCenter;
     if (!b.massIsSet) {
         double mass = 0, inertia = 0;
         DVec2 weighted;
@@ -128,17 +127,23 @@ void World::Impl::updateMass(std::uint32_t slot)
             b.inertia = 0;
         }
     }
-    b.center = origin + toDVec2(rotate(b.rotation, b.localCenter));
-    b.velocity += cross(b.spin, rotate(b.rotation, b.localCenter - oldCenter));
-    for (const std::uint32_t s : b.shapes) rebuildConvex(s);
+    moveCenter(slot, origin, before, b.localCenter);
+}
 
-    // Contact anchors are seen from the center of mass: they move with it.
-    const Vec2 shift = oldCenter - b.localCenter;
-    if (shift == Vec2{}) return;
-    for (Contact& contact : contacts.rows) {
+// The center of mass moves within the body: its origin stays where it is, and the velocity of its
+// matter too.
+void World::Impl::moveCenter(std::uint32_t slot, Position origin, Vec2 before, Vec2 center)
+{
+    BodyRow& b = bodies.rows[slot];
+    b.localCenter = center;
+    b.center = origin + toDVec2(rotate(b.rotation, center));
+    b.velocity += cross(b.spin, rotate(b.rotation, center - before));
+    if (center == before) return;
+    for (const std::uint32_t s : b.shapes) rebuildConvex(s);
+    for (Contact& contact : contacts.rows) {  // anchors are seen from the center of mass
         for (ContactPointRow& point : contact.points) {
-            if (shapes.rows[contact.shapeA].body == slot) point.anchor.localA += shift;
-            if (shapes.rows[contact.shapeB].body == slot) point.anchor.localB += shift;
+            if (shapes.rows[contact.shapeA].body == slot) point.anchor.localA += before - center;
+            if (shapes.rows[contact.shapeB].body == slot) point.anchor.localB += before - center;
         }
     }
 }

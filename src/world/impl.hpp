@@ -63,6 +63,7 @@ struct World::Impl {
     ShapeId createShape(BodyId body, const ShapeDef& def);
     void destroyShape(std::uint32_t slot);
     void updateMass(std::uint32_t bodySlot);
+    void moveCenter(std::uint32_t bodySlot, Position origin, Vec2 before, Vec2 center);
     void rebuildConvex(std::uint32_t shapeSlot);
     void endContacts(std::uint32_t shapeSlot);
     TouchEvent touchEvent(const Contact& contact) const;

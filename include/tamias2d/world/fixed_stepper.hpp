@@ -17,11 +17,13 @@ public:
     /// Takes in a frame of `seconds` >= 0 and makes the steps that are due; returns how many.
     int advance(World& world, double seconds);
 
-    double alpha() const noexcept;    ///< how far into the next step we are, in [0, 1)
+    double alpha() const noexcept;    ///< how far into the next step we are, in [0, 1]
     double dropped() const noexcept;  ///< time lost to maxFrame so far   [s]
     double step() const noexcept { return step_; }
 
 private:
+    static bool refuseFrame(double seconds);
+
     double step_;
     int substeps_;
     double maxFrame_;

@@ -54,6 +54,7 @@ private:
     friend class World;
     friend class Body;
     Shape(World* world, ShapeId id) noexcept : world_(world), id_(id) {}
+    World* alive() const;  // refuses a dead handle; null then, in builds without exceptions
 
     World* world_ = nullptr;
     ShapeId id_;
@@ -140,6 +141,7 @@ private:
     friend class World;
     friend class Shape;
     Body(World* world, BodyId id) noexcept : world_(world), id_(id) {}
+    World* alive() const;  // refuses a dead handle; null then, in builds without exceptions
 
     World* world_ = nullptr;
     BodyId id_;

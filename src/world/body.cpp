@@ -1,0 +1,427 @@
+// SPDX-License-Identifier: MIT
+#include "diagnostics/energy.hpp"
+#include "world/impl.hpp"
+
+namespace tamias2d::inline TAMIAS_PRECISION {
+namespace {
+
+const std::string kNoName;
+
+BodyRow& deadRow()
+{
+    static thread_local BodyRow row;
+    return row = {};
+}
+
+}  // namespace
+
+bool Body::isAlive() const noexcept { return world_ != nullptr && world_->impl_->bodies.ids.owns(id_); }
+
+World* Body::alive() const
+{
+    if (isAlive()) return world_;
+    fail(InputError("Body", id_.isNull() ? "null" : textOf(id_.index), "must be a live body of this world"));
+    return nullptr;
+}
+
+// The row, or a fresh one that nobody keeps when a dead handle was let pass by the error handler.
+#define TAMIAS_BODY_ROW(name)                                                                                        \
+    World* const w = alive();                                                                                        \
+    BodyRow& name = w ? w->impl_->row(id_) : deadRow()
+
+BodyDef Body::definition() const
+{
+    TAMIAS_BODY_ROW(b);
+    BodyDef def;
+    def.type = b.type;
+    def.position = b.origin();
+    def.angle = b.angle;
+    def.linearVelocity = b.velocity;
+    def.angularVelocity = b.spin;
+    if (b.massIsSet) def.mass = MassProperties{b.mass, b.localCenter, b.inertia};
+    def.linearDamping = b.linearDamping;
+    def.angularDamping = b.angularDamping;
+    def.gravityScale = b.gravityScale;
+    def.gravity = b.gravity;
+    def.lockX = b.lockX;
+    def.lockY = b.lockY;
+    def.lockRotation = b.lockRotation;
+    def.enabled = b.enabled;
+    def.name = b.name;
+    def.userData = b.userData;
+    return def;
+}
+
+BodyType Body::type() const
+{
+    TAMIAS_BODY_ROW(b);
+    return b.type;
+}
+
+void Body::setType(BodyType type)
+{
+    TAMIAS_BODY_ROW(b);
+    const auto number = static_cast<int>(type);
+    if (refuse(checkThat(number >= 0 && number <= 2, "type", number, "must be Static, Kinematic or Dynamic"))) return;
+    b.type = type;
+    if (type != BodyType::Static) return;
+    b.velocity = {};
+    b.spin = 0;
+}
+
+const std::string& Body::name() const
+{
+    World* const w = alive();
+    return w ? w->impl_->row(id_).name : kNoName;
+}
+
+void Body::setName(std::string_view name)
+{
+    TAMIAS_BODY_ROW(b);
+    b.name = name;
+}
+
+std::uint64_t Body::userData() const
+{
+    TAMIAS_BODY_ROW(b);
+    return b.userData;
+}
+
+void Body::setUserData(std::uint64_t value)
+{
+    TAMIAS_BODY_ROW(b);
+    b.userData = value;
+}
+
+bool Body::isEnabled() const
+{
+    TAMIAS_BODY_ROW(b);
+    return b.enabled;
+}
+
+void Body::setEnabled(bool enabled)
+{
+    TAMIAS_BODY_ROW(b);
+    b.enabled = enabled;
+}
+
+// --- where it is and how it moves
+
+Transform Body::transform() const
+{
+    TAMIAS_BODY_ROW(b);
+    return {b.origin(), b.angle, b.rotation};
+}
+
+Position Body::position() const
+{
+    TAMIAS_BODY_ROW(b);
+    return b.origin();
+}
+
+Position Body::centerOfMass() const
+{
+    TAMIAS_BODY_ROW(b);
+    return b.center;
+}
+
+double Body::angle() const
+{
+    TAMIAS_BODY_ROW(b);
+    return b.angle;
+}
+
+Vec2 Body::linearVelocity() const
+{
+    TAMIAS_BODY_ROW(b);
+    return b.velocity;
+}
+
+real Body::angularVelocity() const
+{
+    TAMIAS_BODY_ROW(b);
+    return b.spin;
+}
+
+Vec2 Body::velocityAt(Position point) const
+{
+    TAMIAS_BODY_ROW(b);
+    if (refuse(checkFinite("point", point, "must be finite m"))) return {};
+    return b.velocity + cross(b.spin, toVec2(point - b.center));
+}
+
+void Body::setTransform(Position position, double angle)
+{
+    TAMIAS_BODY_ROW(b);
+    const real unit = w ? w->impl_->settings.lengthUnit : real(1);
+    if (Checks().add(checkPosition("position", position, unit)).finite("angle", angle, "must be finite rad").refuse()) return;
+    b.angle = wrapAngle(angle);
+    b.rotation = Rot::ofAngle(b.angle);
+    b.center = position + toDVec2(rotate(b.rotation, b.localCenter));
+    b.previousCenter = b.center;
+    b.previousAngle = b.angle;
+    b.previousLocalCenter = b.localCenter;
+}
+
+void Body::setLinearVelocity(Vec2 velocity)
+{
+    TAMIAS_BODY_ROW(b);
+    const real unit = w ? w->impl_->settings.lengthUnit : real(1);
+    if (refuse(checkVelocity("linearVelocity", velocity, unit))) return;
+    if (b.type != BodyType::Static) b.velocity = velocity;
+}
+
+void Body::setAngularVelocity(real velocity)
+{
+    TAMIAS_BODY_ROW(b);
+    if (refuse(checkSpin("angularVelocity", velocity))) return;
+    if (b.type != BodyType::Static) b.spin = velocity;
+}
+
+Transform Body::interpolated(double alpha) const
+{
+    TAMIAS_BODY_ROW(b);
+    if (refuse(checkRange("alpha", alpha, 0, 1, "must be in [0, 1]"))) return {};
+    const Position before =
+        b.originOf(b.previousCenter, Rot::ofAngle(b.previousAngle), b.previousLocalCenter);
+    double turn = b.angle - b.previousAngle;  // the short way round
+    if (turn > kPi) turn -= kTwoPi;
+    if (turn < -kPi) turn += kTwoPi;
+    return Transform::at(before + alpha * (b.origin() - before), b.previousAngle + alpha * turn);
+}
+
+// --- mass
+
+real Body::mass() const
+{
+    TAMIAS_BODY_ROW(b);
+    return b.isDynamic() ? b.mass : real(0);
+}
+
+real Body::inertia() const
+{
+    TAMIAS_BODY_ROW(b);
+    return b.isDynamic() ? b.inertia : real(0);
+}
+
+Vec2 Body::localCenter() const
+{
+    TAMIAS_BODY_ROW(b);
+    return b.localCenter;
+}
+
+void Body::setMass(const MassProperties& mass)
+{
+    TAMIAS_BODY_ROW(b);
+    if (!w || refuse(check(mass, w->impl_->settings.lengthUnit))) return;
+    const Position origin = b.origin();
+    const Vec2 before = b.localCenter;
+    b.massIsSet = true;
+    b.mass = mass.mass;
+    b.inertia = mass.inertia;
+    w->impl_->moveCenter(id_.index, origin, before, mass.center);
+}
+
+void Body::resetMass()
+{
+    TAMIAS_BODY_ROW(b);
+    if (!w) return;
+    b.massIsSet = false;
+    w->impl_->updateMass(id_.index);
+}
+
+// --- forces
+
+void Body::applyForce(Vec2 force, Position at)
+{
+    TAMIAS_BODY_ROW(b);
+    if (Checks().finite("force", force, "must be finite N").finite("at", at, "must be finite m").refuse()) return;
+    b.stepForce += force;
+    b.stepTorque += cross(toVec2(at - b.center), force);
+}
+
+void Body::applyForceToCenter(Vec2 force)
+{
+    TAMIAS_BODY_ROW(b);
+    if (refuse(checkFinite("force", force, "must be finite N"))) return;
+    b.stepForce += force;
+}
+
+void Body::applyTorque(real torque)
+{
+    TAMIAS_BODY_ROW(b);
+    if (refuse(checkFinite("torque", torque, "must be finite N*m"))) return;
+    b.stepTorque += torque;
+}
+
+void Body::applyImpulse(Vec2 impulse, Position at)
+{
+    TAMIAS_BODY_ROW(b);
+    if (Checks().finite("impulse", impulse, "must be finite N*s").finite("at", at, "must be finite m").refuse()) return;
+    const Vec2 invMass = b.invMass();
+    b.velocity += {invMass.x * impulse.x, invMass.y * impulse.y};
+    b.spin += b.invInertia() * cross(toVec2(at - b.center), impulse);
+}
+
+void Body::applyImpulseToCenter(Vec2 impulse)
+{
+    TAMIAS_BODY_ROW(b);
+    if (refuse(checkFinite("impulse", impulse, "must be finite N*s"))) return;
+    const Vec2 invMass = b.invMass();
+    b.velocity += {invMass.x * impulse.x, invMass.y * impulse.y};
+}
+
+void Body::applyAngularImpulse(real impulse)
+{
+    TAMIAS_BODY_ROW(b);
+    if (refuse(checkFinite("impulse", impulse, "must be finite N*m*s"))) return;
+    b.spin += b.invInertia() * impulse;
+}
+
+std::size_t Body::addForce(const LastingForce& force)
+{
+    TAMIAS_BODY_ROW(b);
+    if (!w || refuse(check(force, w->impl_->settings.lengthUnit))) return 0;
+    b.lasting.push_back(force);
+    return b.lasting.size() - 1;
+}
+
+std::span<const LastingForce> Body::lastingForces() const
+{
+    TAMIAS_BODY_ROW(b);
+    return b.lasting;
+}
+
+void Body::setForce(std::size_t place, const LastingForce& force)
+{
+    TAMIAS_BODY_ROW(b);
+    if (refuse(checkThat(place < b.lasting.size(), "place", place, "must be one that addForce returned"))) return;
+    if (!w || refuse(check(force, w->impl_->settings.lengthUnit))) return;
+    b.lasting[place] = force;
+}
+
+void Body::clearForces()
+{
+    TAMIAS_BODY_ROW(b);
+    b.lasting.clear();
+    b.stepForce = {};
+    b.stepTorque = 0;
+}
+
+ForceLawId Body::addForceLaw(ForceLaw law)
+{
+    World* const w = alive();
+    if (!w) return {};
+    const ForceLawId id = w->addForceLaw(std::move(law));
+    if (!id.isNull()) w->impl_->laws.back().body = id_;
+    return id;
+}
+
+real Body::linearDamping() const
+{
+    TAMIAS_BODY_ROW(b);
+    return b.linearDamping;
+}
+
+void Body::setLinearDamping(real damping)
+{
+    TAMIAS_BODY_ROW(b);
+    if (refuse(checkRange("linearDamping", damping, 0, 1e30, "must be finite and >= 0 1/s"))) return;
+    b.linearDamping = damping;
+}
+
+real Body::angularDamping() const
+{
+    TAMIAS_BODY_ROW(b);
+    return b.angularDamping;
+}
+
+void Body::setAngularDamping(real damping)
+{
+    TAMIAS_BODY_ROW(b);
+    if (refuse(checkRange("angularDamping", damping, 0, 1e30, "must be finite and >= 0 1/s"))) return;
+    b.angularDamping = damping;
+}
+
+real Body::gravityScale() const
+{
+    TAMIAS_BODY_ROW(b);
+    return b.gravityScale;
+}
+
+void Body::setGravityScale(real scale)
+{
+    TAMIAS_BODY_ROW(b);
+    if (refuse(checkFinite("gravityScale", scale))) return;
+    b.gravityScale = scale;
+}
+
+std::optional<Vec2> Body::ownGravity() const
+{
+    TAMIAS_BODY_ROW(b);
+    return b.gravity;
+}
+
+void Body::setOwnGravity(std::optional<Vec2> gravity)
+{
+    TAMIAS_BODY_ROW(b);
+    if (refuse(checkFinite("gravity", gravity.value_or(Vec2{}), "must be finite m/s^2"))) return;
+    b.gravity = gravity;
+}
+
+void Body::setLocks(bool x, bool y, bool rotation)
+{
+    TAMIAS_BODY_ROW(b);
+    b.lockX = x;
+    b.lockY = y;
+    b.lockRotation = rotation;
+}
+
+// --- shapes and results
+
+Shape Body::createShape(const ShapeDef& def)
+{
+    World* const w = alive();
+    if (!w || refuse(check(def, w->impl_->settings.lengthUnit))) return {};
+    return {w, w->impl_->createShape(id_, def)};
+}
+
+std::vector<Shape> Body::shapes() const
+{
+    TAMIAS_BODY_ROW(b);
+    std::vector<Shape> all;
+    for (const std::uint32_t slot : b.shapes) all.push_back(Shape(w, w->impl_->shapes.ids.id(slot)));
+    return all;
+}
+
+Energy Body::energy() const
+{
+    TAMIAS_BODY_ROW(b);
+    return w ? energyOf(b, id_, w->impl_->field(), w->impl_->time) : Energy{};
+}
+
+Momentum Body::momentum() const
+{
+    TAMIAS_BODY_ROW(b);
+    return momentumOf(b);
+}
+
+std::vector<ContactView> Body::contacts() const
+{
+    std::vector<ContactView> all;
+    World* const w = alive();
+    if (!w) return all;
+    for (const ContactView& view : w->contacts())
+        if (view.bodyA == id_ || view.bodyB == id_) all.push_back(view);
+    return all;
+}
+
+void Body::destroy()
+{
+    World* const w = alive();
+    if (w) w->impl_->destroyBody(id_);
+}
+
+#undef TAMIAS_BODY_ROW
+
+}  // namespace tamias2d::inline TAMIAS_PRECISION
