@@ -214,17 +214,22 @@ TEST(Mass, OfBodiesThatNothingPushesIsToldAsZero)
     }
 }
 
-// The matter of the body goes on as it went: a new piece far to the side moves the center of mass, and the
-// center then has the velocity of that place.
-TEST(Mass, ANewPieceDoesNotMoveTheBodysOrigin)
+// Its matter goes on as it went; the center of mass is elsewhere now and has the velocity of that place.
+TEST(Mass, ANewPieceLeavesTheBodysOriginAndMotionAlone)
 {
-    TRACES("R2", "DD1");
+    TRACES("R2", "DD1", "DD9");
     World world(weightless());
-    Body body = addBox(world, {3, 4}, 1, 1, {.angle = 0.3});
+    Body body = addBox(world, {3, 4}, 1, 1, {.velocity = vec(1, 2), .spin = 3, .angle = kPi / 2});
+    const Vec2 before = body.velocityAt({5, 6});
     body.createShape({.geometry = makeBox(1, 1), .offset = vec(4, 0)});
-    EXPECT_EQ(body.position(), (Position{3, 4}));
-    EXPECT_EQ(body.angle(), 0.3);
-    expectNear(length(body.centerOfMass() - body.position()), 2, 2, "center");
+    expectNear(body.position().x, 3, 8, "origin");
+    expectNear(body.position().y, 4, 8, "origin");
+    expectNear(body.centerOfMass().x, 3, 8, "center");
+    expectNear(body.centerOfMass().y, 6, 8, "center");
+    expectNear(body.velocityAt({5, 6}).x, before.x, 20, "velocity of the matter");
+    expectNear(body.velocityAt({5, 6}).y, before.y, 20, "velocity of the matter");
+    expectNear(body.linearVelocity().x, 1 - 3 * 2, 20, "velocity of the new center");
+    expectNear(body.linearVelocity().y, 2, 20, "velocity of the new center");
 }
 
 }  // namespace

@@ -45,7 +45,7 @@ void fill(World& world, double friction, std::uint32_t seed)
 
 void expectIsolated(double friction, std::uint32_t seed)
 {
-    SCOPED_TRACE("friction " + std::to_string(friction) + ", seed " + std::to_string(seed));
+    SCOPED_TRACE(testing::Message() << "friction " << friction << ", seed " << seed);
     World world(weightless());
     fill(world, friction, seed);
     double linear = 0, angular = 0;  // sums of magnitudes

@@ -51,8 +51,7 @@ struct Cradle {
 
 void expectHandedOn(int moving, double gap, int substeps)
 {
-    SCOPED_TRACE(std::to_string(moving) + " moving, gap " + std::to_string(gap) + " x " +
-                 std::to_string(substeps));
+    SCOPED_TRACE(testing::Message() << moving << " moving, gap " << gap << " x " << substeps);
     Cradle cradle(moving, gap);
     cradle.run(2, substeps);
     for (int i = 0; i < 5; ++i) {

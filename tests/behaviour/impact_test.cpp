@@ -91,7 +91,7 @@ int meetings(int tries, double restitution, double friction, double size, MakeA&
         const Options optionsA = options(1), optionsB = options(-1);
         const Body a = makeA(world, Position{-2, heightA}, optionsA);
         const Body b = makeB(world, Position{2, heightB}, optionsB);
-        SCOPED_TRACE("seed " + std::to_string(seed) + ", C_R " + std::to_string(restitution));
+        SCOPED_TRACE(testing::Message() << "seed " << seed << ", C_R " << restitution);
         met += meets(world, a, b, restGapFor(world, size), friction);
     }
     return met;
@@ -161,7 +161,7 @@ TEST(Impact, OfACornerOnACornerObeysDD8)
             left.velocity = vec(3, 0);
             right.velocity = vec(-2, 0);
             const Body a = addBox(world, {-2, aside}, 1, 1, left), b = addBox(world, {2, 0}, 1, 1, right);
-            SCOPED_TRACE("C_R " + std::to_string(e) + ", aside " + std::to_string(aside));
+            SCOPED_TRACE(testing::Message() << "C_R " << e << ", aside " << aside);
             EXPECT_TRUE(meets(world, a, b, restGapFor(world, 1)));
         }
     }
@@ -222,7 +222,7 @@ TEST(Impact, OfFlushEdgesActsAtBothEndsAtOnce)
     TRACES("R8", "IM3", "DD8", "DD12", "LC1");
     for (const double e : kRestitutions) {
         for (const double offset : {0.0, 0.3, -0.6}) {
-            SCOPED_TRACE("C_R " + std::to_string(e) + ", offset " + std::to_string(offset));
+            SCOPED_TRACE(testing::Message() << "C_R " << e << ", offset " << offset);
             expectFlushImpact(e, 0, offset);
         }
     }
@@ -232,7 +232,7 @@ TEST(Impact, OfFlushEdgesThatTurnTogetherActsAtBothEnds)
 {
     TRACES("R8", "IM3", "DD8", "DD12");
     for (const double e : kRestitutions) {
-        SCOPED_TRACE("C_R " + std::to_string(e));
+        SCOPED_TRACE(testing::Message() << "C_R " << e);
         expectFlushImpact(e, 0.5, 0.3);
     }
 }

@@ -67,8 +67,8 @@ inline void write(std::ostream& out, const WorldDef& def)
     out << "world gravity " << def.gravity << " G " << def.gravitationConstant << " unit " << def.lengthUnit
         << " mixing " << int(def.frictionMixing) << ' ' << int(def.restitutionMixing) << " tuning "
         << t.restGap << ' ' << t.touchingFactor << ' ' << t.pushRate << ' ' << t.pushSpeed << ' '
-        << t.pushSlack << ' ' << t.calmRate << ' ' << t.calmSpeed << ' ' << t.impactThreshold << ' '
-        << t.impactsPerContact << ' ' << t.impactSweeps << '\n';
+        << t.pushSlack << ' ' << t.extraPasses << ' ' << t.restless << ' ' << t.calmRate << ' ' << t.calmSpeed
+        << ' ' << t.impactThreshold << ' ' << t.impactsPerContact << ' ' << t.impactSweeps << '\n';
 }
 
 /// The world, its laws, bodies, lasting forces and shapes.
