@@ -12,7 +12,10 @@ namespace tamias2d::test {
 inline void recordTraces(std::initializer_list<const char*> ids)
 {
     std::string all;
-    for (const char* id : ids) all += (all.empty() ? "" : ",") + std::string(id);
+    for (const char* id : ids) {
+        if (!all.empty()) all += ',';
+        all += id;
+    }
     testing::Test::RecordProperty("traces", all);
 }
 
