@@ -7,7 +7,7 @@ namespace {
 
 const std::string kNoName;
 
-BodyRow& deadRow()
+BodyRow& deadBodyRow()
 {
     static thread_local BodyRow row;
     return row = {};
@@ -27,7 +27,7 @@ World* Body::alive() const
 // The row, or a fresh one that nobody keeps when a dead handle was let pass by the error handler.
 #define TAMIAS_BODY_ROW(name)                                                                                        \
     World* const w = alive();                                                                                        \
-    BodyRow& name = w ? w->impl_->row(id_) : deadRow()
+    BodyRow& name = w ? w->impl_->row(id_) : deadBodyRow()
 
 BodyDef Body::definition() const
 {

@@ -5,7 +5,7 @@
 namespace tamias2d::inline TAMIAS_PRECISION {
 namespace {
 
-ShapeRow& deadRow()
+ShapeRow& deadShapeRow()
 {
     static thread_local ShapeRow row;
     return row = {};
@@ -25,7 +25,7 @@ World* Shape::alive() const
 // The row, or a fresh one that nobody keeps when a dead handle was let pass by the error handler.
 #define TAMIAS_SHAPE_ROW(name)                                                                                       \
     World* const w = alive();                                                                                        \
-    ShapeRow& name = w ? w->impl_->shapes.rows[id_.index] : deadRow()
+    ShapeRow& name = w ? w->impl_->shapes.rows[id_.index] : deadShapeRow()
 
 BodyId Shape::body() const
 {
