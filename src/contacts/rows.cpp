@@ -13,16 +13,12 @@ PlacedPoint placePoint(const Contact& contact, const ManifoldPoint& anchor, Rot 
     const Vec2 surfaceB = rotate(qB, anchor.localB) - contact.radiusB * n;  // from the center of B
     const real separation = dot(n, d + surfaceB - surfaceA);
 
-    // The point goes with the corner, halfway across the gap: the other surface slides past it.
+    // The point goes with the corner, on its surface: the other surface slides past it, and a disc
+    // rolls on its own radius.
     PlacedPoint placed;
     placed.gap = separation - contact.restGap;
-    if (anchor.cornerOnA) {
-        placed.armA = surfaceA + separation / 2 * n;
-        placed.armB = placed.armA - d;
-    } else {
-        placed.armB = surfaceB - separation / 2 * n;
-        placed.armA = placed.armB + d;
-    }
+    placed.armA = anchor.cornerOnA ? surfaceA : surfaceB + d;
+    placed.armB = anchor.cornerOnA ? surfaceA - d : surfaceB;
     return placed;
 }
 

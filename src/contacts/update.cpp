@@ -25,7 +25,10 @@ Trajectory predictedPath(const Motion& m, Position origin, real invH)
     path.spin = m.spin;
     if (m.moves()) {
         path.acceleration = expectedAcceleration(m, invH);
-        path.spinRate = expectedSpinRate(m, invH);
+        // What rests is expected not to start turning: as a body glides over its supports, the torque of
+        // the last tick says nothing about the next.
+        const bool rests = m.steady != Vec2{} || m.steadySpin != 0;
+        path.spinRate = rests ? real(0) : expectedSpinRate(m, invH);
     }
     return path;
 }

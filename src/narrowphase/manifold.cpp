@@ -110,7 +110,7 @@ void closestManifold(const Convex& a, const Pose& poseA, const Convex& b, const 
     ManifoldPoint& point = manifold.points[0];
     point.localA = a.vertices[nearest.featureA];
     point.localB = b.vertices[nearest.featureB];
-    point.cornerOnA = a.radius < b.radius;
+    point.cornerOnA = a.radius > b.radius;  // on the rounder one: its turning must not lever on the other
     point.feature = static_cast<std::uint32_t>(nearest.featureA | (nearest.featureB << 4) | (1 << 12));
 }
 

@@ -86,24 +86,30 @@ struct Sweep {
     }
 };
 
-// The face that separates best over the whole sweep: the greatest of min(start, end).
+// The face that separates best over the whole sweep: the greatest of min(start, end). Of faces that
+// nearly tie, the one the motion runs along: its normal is the one that stays right as the other
+// shape slides past.
 struct SweptFace {
     FaceQuery axis;
+    real score;
     bool smallerAtEnd;
 };
 
 SweptFace bestFaceOverSweep(const Sweep& s)
 {
     const PlacedCore a0(s.pair.a, s.a0), a1(s.pair.a, s.a1), b0(s.pair.b, s.b0), b1(s.pair.b, s.b1);
-    SweptFace best{{-std::numeric_limits<real>::max(), true, 0}, false};
-    const auto consider = [&](bool onA, int face, real first, real last) {
+    SweptFace best{{-std::numeric_limits<real>::max(), true, 0}, -std::numeric_limits<real>::max(), false};
+    const auto consider = [&](bool onA, int face, Vec2 normal, real first, real last) {
         const real least = minimum(first, last) - s.radii;
+        const real score = least > s.deep ? least - minimum(absolute(dot(normal, s.slide)), s.pair.restGap) : least;
         const bool handicap = !onA && best.axis.onA && a0.faces() > 0;
-        if (least > best.axis.distance + (handicap ? s.preference() : real(0)))
-            best = {{least, onA, face}, last <= first + s.preference()};
+        if (score > best.score + (handicap ? s.preference() : real(0)))
+            best = {{least, onA, face}, score, last <= first + s.preference()};
     };
-    for (int i = 0; i < a0.faces(); ++i) consider(true, i, faceDistance(a0, i, b0), faceDistance(a1, i, b1));
-    for (int i = 0; i < b0.faces(); ++i) consider(false, i, faceDistance(b0, i, a0), faceDistance(b1, i, a1));
+    for (int i = 0; i < a0.faces(); ++i)
+        consider(true, i, a0.normals[i], faceDistance(a0, i, b0), faceDistance(a1, i, b1));
+    for (int i = 0; i < b0.faces(); ++i)
+        consider(false, i, b0.normals[i], faceDistance(b0, i, a0), faceDistance(b1, i, a1));
     return best;
 }
 
