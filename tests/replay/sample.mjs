@@ -11,7 +11,7 @@ const TAU = 2 * Math.PI, g = 9.81;
 
 /// The page of a recording: the template with the data in its place.
 export function pageOf(recording) {
-  const json = JSON.stringify(recording).replaceAll('<', '\\u003c');
+  const json = JSON.stringify(recording, (key, v) => (typeof v === 'number' ? +v.toPrecision(9) : v)).replaceAll('<', '\\u003c');
   return readFileSync(template, 'utf8').replace('/*TAMIAS_REPLAY_DATA*/', () => json);
 }
 
