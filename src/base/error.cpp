@@ -26,7 +26,8 @@ ErrorHandler setErrorHandler(ErrorHandler handler) noexcept
 void fail(const InputError& error)
 {
 #if TAMIAS_HAS_EXCEPTIONS
-    throw error;
+    // A copy of its texts can run out of memory; std::bad_alloc is then what is thrown.
+    throw error;  // NOLINT(bugprone-exception-copy-constructor-throws)
 #else
     if (const ErrorHandler handler = currentHandler.load()) handler(error);
 #endif

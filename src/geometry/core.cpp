@@ -6,32 +6,30 @@
 namespace tamias2d::inline TAMIAS_PRECISION {
 namespace {
 
-struct MakeCore {
-    Core operator()(const Circle& s) const noexcept { return of({&s.center, 1}, s.radius); }
-    Core operator()(const Capsule& s) const noexcept { return ofEnds(s.a, s.b, s.radius); }
-    Core operator()(const Segment& s) const noexcept { return ofEnds(s.a, s.b, s.radius); }
-    Core operator()(const Polygon& s) const noexcept { return of(s.points(), s.radius); }
+Core withPoints(std::span<const Vec2> points, real radius) noexcept
+{
+    Core core;
+    core.radius = static_cast<double>(radius);
+    for (const Vec2 p : points)
+        core.points[static_cast<std::size_t>(core.count++)] = toDVec2(p);
+    return core;
+}
 
-    static Core ofEnds(Vec2 a, Vec2 b, real radius) noexcept
-    {
-        const std::array<Vec2, 2> ends = {a, b};
-        return of(ends, radius);
-    }
-    static Core of(std::span<const Vec2> points, real radius) noexcept
-    {
-        Core core;
-        core.radius = static_cast<double>(radius);
-        for (const Vec2 p : points)
-            core.points[static_cast<std::size_t>(core.count++)] = toDVec2(p);
-        return core;
-    }
-};
+Core withEnds(Vec2 a, Vec2 b, real radius) noexcept
+{
+    const std::array<Vec2, 2> ends = {a, b};
+    return withPoints(ends, radius);
+}
 
 }  // namespace
 
 Core coreOf(const Geometry& geometry) noexcept
 {
-    return std::visit(MakeCore{}, geometry);
+    if (const auto* s = std::get_if<Circle>(&geometry)) return withPoints({&s->center, 1}, s->radius);
+    if (const auto* s = std::get_if<Capsule>(&geometry)) return withEnds(s->a, s->b, s->radius);
+    if (const auto* s = std::get_if<Segment>(&geometry)) return withEnds(s->a, s->b, s->radius);
+    if (const auto* s = std::get_if<Polygon>(&geometry)) return withPoints(s->points(), s->radius);
+    return {};
 }
 
 double squaredDistance(DVec2 p, DVec2 a, DVec2 b) noexcept

@@ -48,17 +48,18 @@ Reduced reduceShort(double angle) noexcept
     return {static_cast<int>(n & 3), ((angle - k * kHalfPi1) - k * kHalfPi2) - k * kHalfPi3};
 }
 
-// The 32 bits of 2 / pi that follow bit `first`, counted from the binary point.
+// The 32 bits of 2 / pi that follow bit `first`, counted from the binary point; before it all are 0.
 std::uint32_t bitsAfter(int first) noexcept
 {
+    constexpr int kWordsBefore = 2;  // `first` is never below -64
     const auto word = [](int i) {
         const bool stored = i >= 0 && i < static_cast<int>(kTwoOverPiBits.size());
         return stored ? kTwoOverPiBits[static_cast<std::size_t>(i)] : 0u;
     };
-    const int index = first >= 0 ? first / 32 : -((31 - first) / 32);
-    const int shift = first - 32 * index;
+    const auto place = static_cast<unsigned>(first + 32 * kWordsBefore);
+    const int index = static_cast<int>(place / 32) - kWordsBefore;
     const std::uint64_t two = (std::uint64_t{word(index)} << 32) | word(index + 1);
-    return static_cast<std::uint32_t>((two << shift) >> 32);
+    return static_cast<std::uint32_t>((two << (place % 32)) >> 32);
 }
 
 // Long angles: angle = m 2^e with a whole m. Of 2 / pi only those bits matter which, times m 2^e,
