@@ -78,6 +78,7 @@ private:
     void record(Contact& c, const Moment& before, real normalImpulse, real tangentImpulse, real t,
                 real restitution);
     SweptPair sweptPair(const Contact& c);
+    bool turnsOn(const Contact& c, real rest);
     void resweep(std::size_t i, bool own);
     void pairAgain(std::uint32_t row);
 };
@@ -129,10 +130,7 @@ void ImpactSolver::placePoints(std::size_t i)
     for (int k = 0; k < c.count; ++k) {
         ImpactPoint& point = points_[2 * i + static_cast<std::size_t>(k)];
         if (!c.atImpact) {
-            const Motion &a = motion(c.rowA), &b = motion(c.rowB);
-            const PlacedPoint place =
-                placePoint(c, c.points[k].anchor, a.rotation, b.rotation, toVec2(b.center - a.center));
-            point = {place.armA, place.armB, place.gap};
+            point = {c.points[k].armA, c.points[k].armB, c.points[k].gap};
             continue;
         }
         const Moment at = momentAt(c, c.points[k].anchor, c.time);
@@ -364,6 +362,16 @@ SweptPair ImpactSolver::sweptPair(const Contact& c)
     return pair;
 }
 
+// Does either body turn so far in the time left that its corners leave their chords by what counts
+// as overlap? Then the pair may meet at another corner.
+bool ImpactSolver::turnsOn(const Contact& c, real rest)
+{
+    const auto sagitta = [rest](real spin, real extent) { return spin * rest * (spin * rest) / 8 * extent; };
+    return sagitta(flights_[c.rowA].spin, motion(c.rowA).extent) +
+               sagitta(flights_[c.rowB].spin, motion(c.rowB).extent) >
+           c.restGap / 2;
+}
+
 // A swept pair of a body that was hit: its way is another from then on. The pair that was hit itself
 // is looked at again only if it turns on; loaded contacts keep their manifold.
 void ImpactSolver::resweep(std::size_t i, bool own)
@@ -372,7 +380,7 @@ void ImpactSolver::resweep(std::size_t i, bool own)
     const Flight &fa = flights_[c.rowA], &fb = flights_[c.rowB];
     const real start = maximum(fa.clock, fb.clock);
     if (!c.swept || !(start < context_.h)) return;
-    if (own && !((absolute(fa.spin) + absolute(fb.spin)) * (context_.h - start) > real(0.1))) return;
+    if (own && !turnsOn(c, context_.h - start)) return;
     for (int k = 0; k < c.count; ++k)
         if (c.points[k].normalImpulse > 0) return;
 

@@ -19,7 +19,8 @@ Damping makeDamping(real rate, real h)
     if (!(rate > 0)) return damping;
 
     const double x = c * step / 2;
-    const double keep = exponential(-x);
+    // Beyond 30 nothing is left of the velocity but 1e-13 of it, and 1 / keep stays a number.
+    const double keep = exponential(-minimum(x, 30.0));
     damping.keep = static_cast<real>(keep);
     if (x < 0.05) {  // series, as the closed forms cancel
         damping.kickTime = static_cast<real>(step / 2 * (1 - x / 2 * (1 - x / 3 * (1 - x / 4 * (1 - x / 5 * (1 - x / 6))))));
