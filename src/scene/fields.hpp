@@ -26,6 +26,8 @@ void fieldsOf(const Tuning*, Visit visit)
     visit("pushRate", &Tuning::pushRate);
     visit("pushSpeed", &Tuning::pushSpeed);
     visit("pushSlack", &Tuning::pushSlack);
+    visit("extraPasses", &Tuning::extraPasses);
+    visit("restless", &Tuning::restless);
     visit("calmRate", &Tuning::calmRate);
     visit("calmSpeed", &Tuning::calmSpeed);
     visit("impactThreshold", &Tuning::impactThreshold);

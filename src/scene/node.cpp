@@ -29,13 +29,23 @@ std::string shownValue(const Json& value)
     return text.size() <= kLongest ? text : text.substr(0, kLongest) + "...";
 }
 
-/// The kinds of geometry stand where the library says "geometry".
-const char* geometryKeyOf(const Json& shape)
+/// The key that stands in a scene where the library uses another word.
+std::string keyFor(const std::string& part, const Node& at)
 {
-    for (const char* key : {"circle", "capsule", "segment", "box", "polygon", "regularPolygon"}) {
-        if (shape.is_object() && shape.contains(key)) return key;
+    if (part == "Tuning") return "tuning";
+    if (part == "MassProperties") return "mass";
+    if (part.starts_with("lock")) return "locks";
+    if (part != "geometry") return part;
+    for (const char* kind : {"circle", "capsule", "segment", "box", "polygon", "regularPolygon"}) {
+        if (at.has(kind)) return kind;
     }
-    return nullptr;
+    return part;
+}
+
+bool isIndex(const std::string& part, const Json& list)
+{
+    return list.is_array() && !part.empty() && part.size() < 9 &&
+           part.find_first_not_of("0123456789") == std::string::npos && std::stoul(part) < list.size();
 }
 
 }  // namespace
@@ -63,17 +73,9 @@ void Node::refuse(const InputError& error) const
     // the name of a kind of geometry) are passed over.
     Node at = *this;
     for (const std::string& part : fieldParts(error.field)) {
-        if (at.has(part)) {
-            at = at.child(part);
-        } else if (const char* key = geometryKeyOf(at.value()); part == "geometry" && key != nullptr) {
-            at = at.child(key);
-        } else if (part.starts_with("lock") && at.has("locks")) {
-            at = at.child("locks");
-        } else if (at.value().is_array() && !part.empty() && part.size() < 9 &&
-                   part.find_first_not_of("0123456789") == std::string::npos &&
-                   std::stoul(part) < at.value().size()) {
-            at = at.child(std::stoul(part));
-        }
+        const std::string key = keyFor(part, at);
+        if (at.has(key)) at = at.child(key);
+        else if (isIndex(part, at.value())) at = at.child(std::stoul(part));
     }
     at.refuse(at.path() == path_ ? error.field + " = " + error.value + ": " + error.rule : error.rule);
 }

@@ -136,6 +136,7 @@ void checkVersion(ObjectReader& in)
 Scene readDocument(const Node& top, const SceneReadOptions& options)
 {
     ObjectReader in(top);
+    in.find("$schema");  // for editors, which then know the keys
     checkVersion(in);
     Scene scene;
 
