@@ -46,7 +46,10 @@ void pile(World& world)
                                      .angle = double(dice.between(-1, 1)),
                                      .linearVelocity = {dice.between(-1, 1), dice.between(-3, 0)}});
         const real radius = i % 3 == 0 ? real(0.1) : real(0);
-        box.createShape({.geometry = makeBox(dice.between(real(0.5), 1), dice.between(real(0.5), 1), radius),
+        // Drawn one by one: the order in which arguments are evaluated is the compiler's choice.
+        const real width = dice.between(real(0.5), 1);
+        const real height = dice.between(real(0.5), 1);
+        box.createShape({.geometry = makeBox(width, height, radius),
                          .material = {.friction = dice.between(0, 1), .restitution = dice.between(0, 1)}});
     }
 }
