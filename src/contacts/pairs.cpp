@@ -34,7 +34,8 @@ void refresh(const ContactWorld& world, Contact& contact)
                                 world.restitutionRule);
     contact.rolling = maximum(ma.rollingResistance, mb.rollingResistance) *
                       maximum(contact.radiusA, contact.radiusB);
-    contact.surfaceSpeed = ma.surfaceSpeed + mb.surfaceSpeed;
+    // Both surfaces run counter-clockwise: A's along the tangent here, B's against it.
+    contact.surfaceSpeed = -(ma.surfaceSpeed + mb.surfaceSpeed);
 }
 
 bool isBefore(const Contact& contact, const ShapePair& pair)

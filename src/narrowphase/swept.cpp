@@ -272,23 +272,32 @@ SweptResult advance(const Sweep& s)
 
 }  // namespace
 
-SweptResult collideSwept(const SweptPair& pair, real from, real to)
+namespace {
+
+SweptResult settle(const Sweep& s)
 {
-    const Sweep s(pair, from, to);
     SweptResult result;
-
-    // A gap can change no faster than the two move.
-    if ((s.start.distance + s.end.distance - s.travel) / 2 > s.admit) return result;
-
-    const bool polygons = pair.a.faces() > 0 && pair.b.faces() > 0;
-    if (pair.a.faces() + pair.b.faces() > 0) {
+    const bool polygons = s.pair.a.faces() > 0 && s.pair.b.faces() > 0;
+    if (s.pair.a.faces() + s.pair.b.faces() > 0) {
         const SweptFace best = bestFaceOverSweep(s);
         if (settledByFace(s, best, result)) return result;
         if (s.sharp && settledByOverlap(s, best, result)) return result;
     }
     if (!s.sharp && settledByConvexity(s, result)) return result;
-    if (s.turning && polygons && s.start.distance <= real(1.5) * pair.restGap) return marchTurning(s);
+    if (s.turning && polygons && s.start.distance <= real(1.5) * s.pair.restGap) return marchTurning(s);
     return advance(s);
+}
+
+}  // namespace
+
+SweptResult collideSwept(const SweptPair& pair, real from, real to)
+{
+    const Sweep s(pair, from, to);
+    // A gap can change no faster than the two move.
+    if ((s.start.distance + s.end.distance - s.travel) / 2 > s.admit) return {};
+    SweptResult result = settle(s);
+    result.turning = s.turning;
+    return result;
 }
 
 Aabb sweptBounds(const Convex& shape, const Trajectory& path, Position origin, real from, real to, real margin)

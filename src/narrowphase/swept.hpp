@@ -33,6 +33,7 @@ struct SweptPair {
 
 struct SweptResult {
     bool near = false;      ///< there is a manifold
+    bool turning = false;   ///< the shapes turn so far that the manifold holds for part of the way only
     bool exhausted = false; ///< the search for the time of impact ran out of iterations: taken as a hit
     Manifold manifold;
 };
