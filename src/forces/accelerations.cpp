@@ -80,6 +80,14 @@ void addLaw(const PlacedLaw& placed, Motion& m, const BodyTable& bodies, double 
     m.spinRate += m.invInertia * static_cast<real>(wrench.torque);
 }
 
+// What is more takes the body to its greatest speed within the step, where the report counts it, but would
+// first send the search for pairs along a path as long as the world, and its infinities into every body there.
+real limited(real acceleration, double most)
+{
+    if (std::isnan(acceleration)) return 0;  // of two infinite forces against each other
+    return static_cast<real>(clamp(static_cast<double>(acceleration), -most, most));
+}
+
 }  // namespace
 
 bool ForceField::varies(const BodyTable& bodies) const
@@ -113,6 +121,10 @@ std::uint32_t accelerate(MotionTable& motions, const BodyTable& bodies, const Fo
             const std::uint32_t row = motions.rowOf[placed.body.index];
             if (row != MotionTable::kNone) addLaw(placed, motions.rows[row], bodies, time, faults);
         }
+    }
+    for (Motion& m : motions.rows) {
+        m.acceleration = {limited(m.acceleration.x, field.most), limited(m.acceleration.y, field.most)};
+        m.spinRate = limited(m.spinRate, field.mostSpinRate);
     }
     return faults;
 }

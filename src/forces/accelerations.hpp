@@ -23,6 +23,8 @@ struct ForceField {
     Vec2 gravity;                        // [m/s^2]
     double gravitationConstant = 0;      // [m^3/(kg*s^2)]
     const std::vector<PlacedLaw>& laws;
+    double most = 1e300;                 // what an acceleration is held at, along each axis   [m/s^2]
+    double mostSpinRate = 1e300;         // [rad/s^2]
 
     /// Does the acceleration of some body change within a step?
     bool varies(const BodyTable& bodies) const;

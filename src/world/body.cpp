@@ -13,6 +13,20 @@ BodyRow& deadBodyRow()
     return row = {};
 }
 
+Vec2 velocityAfter(const BodyRow& b, Vec2 impulse)
+{
+    const Vec2 invMass = b.invMass();
+    return b.velocity + Vec2{invMass.x * impulse.x, invMass.y * impulse.y};
+}
+
+// An impulse may not do what setLinearVelocity and setAngularVelocity may not.
+template <class T>
+Complaint checkImpulse(const T& impulse, Vec2 velocity, real spin, real lengthUnit)
+{
+    const bool slow = !checkVelocity("", velocity, lengthUnit) && !checkSpin("", spin);
+    return checkThat(slow, "impulse", impulse, "must leave the body within 1e6 lengthUnit/s and 1e6 rad/s");
+}
+
 }  // namespace
 
 bool Body::isAlive() const noexcept { return world_ != nullptr && world_->impl_->bodies.ids.owns(id_); }
@@ -146,7 +160,8 @@ real Body::angularVelocity() const
 Vec2 Body::velocityAt(Position point) const
 {
     TAMIAS_BODY_ROW(b);
-    if (refuse(checkFinite("point", point, "must be finite m"))) return {};
+    const real unit = w ? w->impl_->settings.lengthUnit : real(1);
+    if (refuse(checkPosition("point", point, unit))) return {};
     return b.velocity + cross(b.spin, toVec2(point - b.center));
 }
 
@@ -235,7 +250,8 @@ void Body::resetMass()
 void Body::applyForce(Vec2 force, Position at)
 {
     TAMIAS_BODY_ROW(b);
-    if (Checks().finite("force", force, "must be finite N").finite("at", at, "must be finite m").refuse()) return;
+    const real unit = w ? w->impl_->settings.lengthUnit : real(1);
+    if (Checks().finite("force", force, "must be finite N").add(checkPosition("at", at, unit)).refuse()) return;
     b.stepForce += force;
     b.stepTorque += cross(toVec2(at - b.center), force);
 }
@@ -257,25 +273,39 @@ void Body::applyTorque(real torque)
 void Body::applyImpulse(Vec2 impulse, Position at)
 {
     TAMIAS_BODY_ROW(b);
-    if (Checks().finite("impulse", impulse, "must be finite N*s").finite("at", at, "must be finite m").refuse()) return;
-    const Vec2 invMass = b.invMass();
-    b.velocity += {invMass.x * impulse.x, invMass.y * impulse.y};
-    b.spin += b.invInertia() * cross(toVec2(at - b.center), impulse);
+    const real unit = w ? w->impl_->settings.lengthUnit : real(1);
+    if (Checks().finite("impulse", impulse, "must be finite N*s").add(checkPosition("at", at, unit)).refuse()) return;
+    const Vec2 velocity = velocityAfter(b, impulse);
+    const real spin = b.spin + b.invInertia() * cross(toVec2(at - b.center), impulse);
+    if (refuse(checkImpulse(impulse, velocity, spin, unit))) return;
+    b.velocity = velocity;
+    b.spin = spin;
 }
 
 void Body::applyImpulseToCenter(Vec2 impulse)
 {
     TAMIAS_BODY_ROW(b);
-    if (refuse(checkFinite("impulse", impulse, "must be finite N*s"))) return;
-    const Vec2 invMass = b.invMass();
-    b.velocity += {invMass.x * impulse.x, invMass.y * impulse.y};
+    const real unit = w ? w->impl_->settings.lengthUnit : real(1);
+    const Vec2 velocity = velocityAfter(b, impulse);
+    if (Checks()
+            .finite("impulse", impulse, "must be finite N*s")
+            .add(checkImpulse(impulse, velocity, b.spin, unit))
+            .refuse())
+        return;
+    b.velocity = velocity;
 }
 
 void Body::applyAngularImpulse(real impulse)
 {
     TAMIAS_BODY_ROW(b);
-    if (refuse(checkFinite("impulse", impulse, "must be finite N*m*s"))) return;
-    b.spin += b.invInertia() * impulse;
+    const real unit = w ? w->impl_->settings.lengthUnit : real(1);
+    const real spin = b.spin + b.invInertia() * impulse;
+    if (Checks()
+            .finite("impulse", impulse, "must be finite N*m*s")
+            .add(checkImpulse(impulse, b.velocity, spin, unit))
+            .refuse())
+        return;
+    b.spin = spin;
 }
 
 std::size_t Body::addForce(const LastingForce& force)

@@ -112,7 +112,9 @@ StepReport World::Impl::step(double dt, int substeps)
     r.substeps = substeps;
 
     // Who takes part, with what acts on it.
-    const ForceField forces = field();
+    ForceField forces = field();
+    forces.most = 2 * kMaxSpeed * static_cast<double>(settings.lengthUnit) / dt;
+    forces.mostSpinRate = 2 * kMaxSpin / dt;
     gatherMotions(bodies, shapes, motions);
     predictSteady(contacts, shapes, motions);
     r.forceLawFaults = accelerate(motions, bodies, forces, time);

@@ -106,8 +106,8 @@ TEST(BadInput, IdsThatAreNullDeadOrOfAnotherWorldAreRefused)
         EXPECT_FALSE(w.findBody(id).has_value());
         expectRefused(all, "body", "body", [&] { w.body(id); });
         expectRefused(all, "destroyBody", "body", [&] { w.destroyBody(id); });
-        expectRefused(all, "touching", "body", [&] { w.touching(id, all.box.id()); });
-        expectRefused(all, "touching", "body", [&] { w.touching(all.box.id(), id); });
+        expectRefused(all, "touching", "a", [&] { w.touching(id, all.box.id()); });
+        expectRefused(all, "touching", "b", [&] { w.touching(all.box.id(), id); });
         const std::array<BodyId, 2> ids = {all.box.id(), id};
         std::array<BodyState, 2> states{};
         expectRefused(all, "readStates", "ids", [&] { w.readStates(ids, states); });
@@ -118,8 +118,8 @@ TEST(BadInput, IdsThatAreNullDeadOrOfAnotherWorldAreRefused)
     for (const ShapeId id : shapes) {
         EXPECT_FALSE(w.findShape(id).has_value());
         expectRefused(all, "shape", "shape", [&] { w.shape(id); });
-        expectRefused(all, "touching", "shape", [&] { w.touching(id, all.boxShape.id()); });
-        expectRefused(all, "touching", "shape", [&] { w.touching(all.boxShape.id(), id); });
+        expectRefused(all, "touching", "a", [&] { w.touching(id, all.boxShape.id()); });
+        expectRefused(all, "touching", "b", [&] { w.touching(all.boxShape.id(), id); });
     }
     const ForceLawId foreignLaw = all.other.addForceLaw(drag(1));
     for (const ForceLawId id : {ForceLawId{}, all.deadLaw, foreignLaw}) {
