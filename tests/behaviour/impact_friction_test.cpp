@@ -86,9 +86,13 @@ TEST(ImpactFriction, ComesFromTheSlipAfterTheNormalImpulse)
         EXPECT_GT(std::abs(stop), 0.1 * j);
         const double tangent = std::clamp(stop, -mu * j, mu * j);
         EXPECT_LE(relativeError(static_cast<double>(hit.tangentImpulse), tangent), kExact);
-        EXPECT_LE(relativeError(velocityOf(rod).x, (hit.bodyB == rod.id() ? 1 : -1) * tangent * t.x /
-                                                       static_cast<double>(rod.mass())),
-                  kExact);
+        // A foot that grips is pushed into the ground again: smaller impacts follow at the same time.
+        double given = 0;
+        for (const HitEvent& each : world.events().hits) {
+            given += (each.bodyB == rod.id() ? 1 : -1) * static_cast<double>(each.tangentImpulse) * t.x;
+            EXPECT_NEAR(each.time, hit.time, byPrecision(1e-9, 1e-5));
+        }
+        EXPECT_LE(relativeError(velocityOf(rod).x, given / static_cast<double>(rod.mass())), kExact);
     }
 }
 

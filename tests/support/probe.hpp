@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <utility>
 #include <vector>
 
 namespace tamias2d::test {
@@ -23,6 +24,7 @@ public:
             const Body body = world.body(id);
             Seen seen;
             seen.local = outlineOf(body.shapes()[0].definition().geometry);
+            seen.id = id;
             seen.moves = body.type() == BodyType::Dynamic;
             seen.size = seen.moves ? smallestWidth(seen.local) : std::numeric_limits<double>::infinity();
             place(seen.local, body.position() - Position{}, body.angle(), seen.now);
@@ -41,9 +43,12 @@ public:
     std::uint64_t looks() const { return looks_; }
     double deepest() const { return deepest_; }              ///< [m]
     double deepestOfSize() const { return deepestOfSize_; }  ///< over the smaller width   [1]
+    double deepestTime() const { return deepestTime_; }      ///< when that was            [s]
+    std::pair<BodyId, BodyId> deepestPair() const { return deepestPair_; }
 
 private:
     struct Seen {
+        BodyId id;
         Outline local, now;
         double size = 0;
         bool moves = false;
@@ -98,7 +103,11 @@ private:
         if (dot(apart, apart) > reach * reach) return;
         const double overlap = -gapBetween(a.now, b.now);
         deepest_ = std::max(deepest_, overlap);
-        deepestOfSize_ = std::max(deepestOfSize_, overlap / std::min(a.size, b.size));
+        const double ofSize = overlap / std::min(a.size, b.size);
+        if (ofSize <= deepestOfSize_) return;
+        deepestOfSize_ = ofSize;
+        deepestTime_ = time_;
+        deepestPair_ = {a.id, b.id};
     }
 
     std::vector<std::size_t> slots_;  // by index of the body id
@@ -109,6 +118,8 @@ private:
     std::uint64_t looks_ = 0;
     double deepest_ = 0;
     double deepestOfSize_ = 0;
+    double deepestTime_ = 0;
+    std::pair<BodyId, BodyId> deepestPair_;
 };
 
 }  // namespace tamias2d::test
