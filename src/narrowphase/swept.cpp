@@ -227,7 +227,7 @@ SweptResult advance(const Sweep& s)
             hit = exhausted = true;  // the safe side
             break;
         }
-        if (!s.turning && !polygons && dot(now.normal, s.slide) + spinTravel >= 0) break;  // moving away
+        if (!s.turning && !polygons && dot(now.normal, s.slide) >= spinTravel) break;  // moving away
         real rate = s.travel;
         if (!s.turning && s.sharp) {
             const real closing = spinTravel - dot(now.normal, s.slide);

@@ -1,0 +1,138 @@
+// SPDX-License-Identifier: MIT
+#include "narrowphase/manifold.hpp"
+#include "support/traces.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <random>
+
+namespace tamias2d {
+namespace {
+
+constexpr double kTolerance = std::is_same_v<real, double> ? 1e-12 : 2e-5;  // rounding at a few meters
+
+Convex convexOf(const Geometry& geometry) { return makeConvex(geometry, {}, {}, {}); }
+Pose poseAt(double x, double y, double angle)
+{
+    return {{static_cast<real>(x), static_cast<real>(y)}, Rot::ofAngle(angle)};
+}
+
+double pointToSegment(DVec2 p, DVec2 a, DVec2 b)
+{
+    const DVec2 ab = b - a;
+    const double squared = dot(ab, ab);
+    const double t = squared > 0 ? std::min(1.0, std::max(0.0, dot(p - a, ab) / squared)) : 0.0;
+    return length(p - (a + t * ab));
+}
+
+// The distance of two disjoint convex cores is that of a vertex of one to an edge of the other.
+double distanceByDefinition(const PlacedCore& a, const PlacedCore& b)
+{
+    double least = std::numeric_limits<double>::max();
+    const auto measure = [&](const PlacedCore& points, const PlacedCore& edges) {
+        for (int i = 0; i < points.count; ++i)
+            for (int k = 0; k < edges.count; ++k)
+                least = std::min(least, pointToSegment(toDVec2(points.vertices[i]), toDVec2(edges.vertices[k]),
+                                                       toDVec2(edges.vertices[edges.next(k)])));
+    };
+    measure(a, b);
+    measure(b, a);
+    return least;
+}
+
+const Geometry kShapes[] = {Circle{{}, real(0.5)}, Capsule{{real(-0.6), 0}, {real(0.6), real(0.1)}, real(0.2)},
+                            Segment{{-1, 0}, {1, real(0.2)}, 0}, makeBox(1, real(0.6)), makeBox(1, 1, real(0.1)),
+                            makeRegularPolygon(7, real(0.8))};
+
+TEST(Separation, OfShapesApartIsTheDistanceOfTheirNearestPoints)
+{
+    TRACES("T5", "LC1");
+    std::mt19937 random(3);
+    std::uniform_real_distribution<double> place(-3, 3), turn(0, kTwoPi);
+    int apart = 0;
+    for (int trial = 0; trial < 4000; ++trial) {
+        const Convex a = convexOf(kShapes[random() % 6]), b = convexOf(kShapes[random() % 6]);
+        const Pose poseA = poseAt(place(random), place(random), turn(random));
+        const Pose poseB = poseAt(place(random), place(random), turn(random));
+        const PlacedCore coreA(a, poseA), coreB(b, poseB);
+        const Separation s = exactSeparation(coreA, coreB, 0);
+        if (s.distance <= 1e-3) continue;  // overlapping cores have no distance
+        ++apart;
+        const double expected = distanceByDefinition(coreA, coreB);
+        EXPECT_NEAR(s.distance, expected, kTolerance) << "trial " << trial;
+        EXPECT_NEAR(length(s.normal), 1, kTolerance) << "trial " << trial;
+    }
+    EXPECT_GT(apart, 2500);
+}
+
+TEST(Separation, ByFacesIsNeverMoreThanTheDistance)
+{
+    TRACES("T5");
+    std::mt19937 random(4);
+    std::uniform_real_distribution<double> place(-2, 2), turn(0, kTwoPi);
+    const Convex a = convexOf(makeBox(1, real(0.6))), b = convexOf(makeRegularPolygon(5, real(0.7)));
+    for (int trial = 0; trial < 2000; ++trial) {
+        const PlacedCore coreA(a, poseAt(place(random), place(random), turn(random)));
+        const PlacedCore coreB(b, poseAt(place(random), place(random), turn(random)));
+        const double byFaces = separationByFaces(coreA, coreB, 0).distance;
+        if (byFaces > 0) {
+            EXPECT_LE(byFaces, distanceByDefinition(coreA, coreB) + kTolerance) << "trial " << trial;
+        }
+    }
+}
+
+TEST(Separation, ChangesSignWhenTheShapesAreSwapped)
+{
+    TRACES("T2");
+    std::mt19937 random(5);
+    std::uniform_real_distribution<double> place(-2, 2), turn(0, kTwoPi);
+    for (int trial = 0; trial < 2000; ++trial) {
+        const Convex a = convexOf(kShapes[random() % 6]), b = convexOf(kShapes[random() % 6]);
+        const PlacedCore coreA(a, poseAt(place(random), place(random), turn(random)));
+        const PlacedCore coreB(b, poseAt(place(random), place(random), turn(random)));
+        const Separation ab = exactSeparation(coreA, coreB, 0), ba = exactSeparation(coreB, coreA, 0);
+        EXPECT_NEAR(ab.distance, ba.distance, kTolerance) << "trial " << trial;
+    }
+}
+
+TEST(Separation, LinesOnOneAnothersExtensionAreApart)
+{
+    TRACES("T5");
+    const Convex line = convexOf(Segment{{0, 0}, {1, 0}, 0});
+    const Separation s =
+        exactSeparation(PlacedCore(line, poseAt(0, 0, 0)), PlacedCore(line, poseAt(3, 0, 0)), 0);
+    EXPECT_NEAR(s.distance, 2, kTolerance);
+    EXPECT_NEAR(s.normal.x, 1, kTolerance);
+}
+
+TEST(Manifold, OfABoxOnABoxHasTheEndsOfTheSharedEdge)
+{
+    TRACES("LC1", "IM3");
+    const Convex wide = convexOf(makeBox(4, 1)), small = convexOf(makeBox(1, 1));
+    const Pose below = poseAt(0, 0, 0), above = poseAt(1.8, 1.001, 0);
+    Manifold m;
+    closestManifold(wide, below, small, above, real(1e-4), m);
+    ASSERT_EQ(m.count, 2);
+    EXPECT_NEAR(m.normal.y, 1, kTolerance);
+    const double x0 = static_cast<double>(m.points[0].localA.x), x1 = static_cast<double>(m.points[1].localA.x);
+    EXPECT_NEAR(std::min(x0, x1), 1.3, kTolerance);  // the small box's left corner
+    EXPECT_NEAR(std::max(x0, x1), 2.0, kTolerance);  // the wide box's right corner
+}
+
+TEST(Manifold, OfADiscAndACornerPointsAwayFromTheCorner)
+{
+    TRACES("LC1", "A5");
+    const Convex square = convexOf(makeBox(2, 2)), disc = convexOf(Circle{{}, real(0.5)});
+    Manifold m;
+    closestManifold(square, poseAt(0, 0, 0), disc, poseAt(1.4, 1.4, 0.3), real(1e-4), m);
+    ASSERT_EQ(m.count, 1);
+    EXPECT_NEAR(m.normal.x, std::sqrt(0.5), kTolerance);
+    EXPECT_NEAR(m.normal.y, std::sqrt(0.5), kTolerance);
+    EXPECT_NEAR(m.points[0].localA.x, 1, kTolerance);
+    EXPECT_NEAR(m.points[0].localB.x, 0, kTolerance);
+}
+
+}  // namespace
+}  // namespace tamias2d
