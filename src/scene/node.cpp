@@ -34,6 +34,7 @@ std::string keyFor(const std::string& part, const Node& at)
 {
     if (part == "Tuning") return "tuning";
     if (part == "MassProperties") return "mass";
+    if (part == "points") return "vertices";
     if (part.starts_with("lock")) return "locks";
     if (part != "geometry") return part;
     for (const char* kind : {"circle", "capsule", "segment", "box", "polygon", "regularPolygon"}) {

@@ -266,7 +266,7 @@ class WrongUsage(Case):
         self.assertIn("is neither a file nor a built-in scene", self.refusal("run", "nowhere.json"))
         self.assertIn('did you mean "pyramid"?', self.refusal("run", "pyramyd"))
         self.assertIn("must be a whole number in [1, 150]", self.refusal("run", "pyramid:base=0"))
-        self.assertIn(":1:1: not valid JSON", self.refusal("run", self.path("bad.json", "no")))
+        self.assertIn(":1:2: not valid JSON", self.refusal("run", self.path("bad.json", "no")))
         self.assertIn("cannot be read", self.refusal("run", self.folder.name))
 
     def test_files_that_cannot_be_written(self):

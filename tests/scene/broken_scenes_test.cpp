@@ -61,7 +61,7 @@ TEST(BrokenScene, TextThatIsNoJsonIsToldByLineAndColumn)
             {"{\"tamias2d\": 1,\n  }", "2:3: not valid JSON: syntax error while parsing object key - unexpected '}'; "
                                        "expected string literal"},
             {"{\"tamias2d\": 1,\n \"x\": NaN}",
-             "2:7: not valid JSON: syntax error while parsing value - invalid literal; last read: '1,<U+000A> \"x\": N'"},
+             "2:7: not valid JSON: syntax error while parsing value - invalid literal; last read: '\"x\": N'"},
             {"{\"tamias2d\": 1e999}", "1:18: not valid JSON: number overflow parsing '1e999'"},
             {"{\"tamias2d\": 1} 2", "1:17: not valid JSON: syntax error while parsing value - unexpected number "
                                     "literal; expected end of input"},
@@ -92,7 +92,7 @@ TEST(BrokenScene, TheTopSaysWhatItNeeds)
             {"{\"tamias2d\": 1, \"world\": {\n \"gravity\": [0,\n null]}}",
              "3: /world/gravity/1 = null: must be a number"},
             {"{\"tamias2d\": 1, \"world\": {\n \"lengthUnit\": -1}}",
-             "2: /world/lengthUnit = -1: must be in [1e-06, 1e+06] m"},
+             "2: /world/lengthUnit = -1: must be in [1e-6, 1e6] m"},
             {"{\"tamias2d\": 1, \"world\": {\n \"frictionMixing\": \"maximun\"}}",
              "2: /world/frictionMixing = \"maximun\": unknown word; did you mean \"maximum\"?"},
             {"{\"tamias2d\": 1, \"world\": {\n \"tuning\": {\n \"calmRate\": 1}}}",
@@ -164,7 +164,7 @@ TEST(BrokenScene, GeometryThatTheLibraryRefusesIsToldAtItsPlace)
         {"\"capsule\": {\n \"radius\": -1}", "s.json:4: /bodies/0/shapes/0/capsule/radius = -1: must be "},
         {"\"box\": {\n \"width\": 0}", "s.json:4: /bodies/0/shapes/0/box/width = 0: must be "},
         {"\"regularPolygon\": {\n \"count\": 2}", "s.json:4: /bodies/0/shapes/0/regularPolygon/count = 2: must be "},
-        {"\"polygon\": {\"radius\": 0,\n \"vertices\": [[0, 0], [1, 0]]}", "s.json:4: /bodies/0/shapes/0/polygon/"},
+        {"\"polygon\": {\"radius\": 0,\n \"vertices\": [[0, 0], [1, 0]]}", "s.json:4: /bodies/0/shapes/0/polygon/vertices"},
         {"\"polygon\": {\n \"vertices\": [[0, 0], [1, 1], [2, 2]]}", "s.json:4: /bodies/0/shapes/0/polygon/vertices"},
         {"\"polygon\": {}", "s.json:3: /bodies/0/shapes/0/polygon: must have the key \"vertices\""},
         {"\"circle\": {},\n \"density\": -1", "s.json:4: /bodies/0/shapes/0/density = -1: must be "},
@@ -232,10 +232,9 @@ TEST(BrokenScene, ANumberTooLargeForFloatIsRefusedInFloatOnly)
 {
     TRACES("R4", "ADR2");
     const std::string text = "{\"tamias2d\": 1, \"world\": {\"gravity\": [0, 1e39]}}";
-    if (kDouble) EXPECT_EQ(messageOf(text), "(no error)");
-    else
-        EXPECT_EQ(messageOf(text), "s.json:1: /world/gravity/1 = 1e+39: must be finite in single precision, that is "
-                                   "within 3.4e38 of zero");
+    EXPECT_EQ(messageOf(text), kDouble ? "(no error)"
+                                       : "s.json:1: /world/gravity/1 = 1e+39: must be finite in single precision, "
+                                         "that is within 3.4e38 of zero");
 }
 
 }  // namespace

@@ -49,8 +49,11 @@ void expectDefaults(const Json& written, const Json& properties, std::set<std::s
     for (const auto& item : written.items()) {
         ASSERT_TRUE(properties.contains(item.key())) << item.key();
         const Json& property = properties[item.key()];
-        if (property.contains("default")) EXPECT_EQ(property["default"], item.value()) << item.key();
-        else EXPECT_TRUE(item.value().is_structured() || item.value().is_null()) << item.key() << " has no default";
+        if (property.contains("default")) {
+            EXPECT_EQ(property["default"], item.value()) << item.key() << " in docs/scene.schema.json";
+        } else {
+            EXPECT_TRUE(item.value().is_structured() || item.value().is_null()) << item.key() << " has no default";
+        }
     }
     std::set<std::string> expected = keysOf(written);
     expected.insert(besides.begin(), besides.end());
@@ -136,7 +139,9 @@ TEST(SceneSchema, HasTheBuiltInScenesAndTheirRanges)
             if (p.standard != "auto") {
                 EXPECT_EQ(property["default"], isText ? Json(p.standard) : Json::parse(p.standard)) << p.name;
             }
-            if (isText) EXPECT_EQ(property["enum"], Json(p.choices)) << p.name;
+            if (isText) {
+                EXPECT_EQ(property["enum"], Json(p.choices)) << p.name;
+            }
             if (property.contains("minimum")) {
                 EXPECT_EQ(property["minimum"], p.least) << p.name;
                 EXPECT_EQ(property["maximum"], p.most) << p.name;
