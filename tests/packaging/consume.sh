@@ -32,8 +32,9 @@ case $way in
         cmake --build "$work/$way" --target first
         same "$work/readme/expected.txt" "$work/$way/first"
         if [ $way = find_package ]; then
-            cmake --build "$work/$way" --target both
+            cmake --build "$work/$way"
             "$work/$way/both"
+            "$work/$way/scene"
         fi
         ;;
     pkg_config)
