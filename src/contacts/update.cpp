@@ -5,14 +5,16 @@
 
 namespace tamias2d::inline TAMIAS_PRECISION {
 
+// The deceleration -c v of damping holds for times well below 1/c only. Held at what takes all speed away in a
+// tick, it leaves the path of a strongly damped body longer than it is, rather than backwards without end.
 Vec2 expectedAcceleration(const Motion& m, real invH)
 {
-    return m.acceleration - m.damping.rate * m.velocity + invH * m.steady;
+    return m.acceleration - minimum(m.damping.rate, invH) * m.velocity + invH * m.steady;
 }
 
 real expectedSpinRate(const Motion& m, real invH)
 {
-    return m.spinRate - m.spinDamping.rate * m.spin + invH * m.steadySpin;
+    return m.spinRate - minimum(m.spinDamping.rate, invH) * m.spin + invH * m.steadySpin;
 }
 
 Trajectory predictedPath(const Motion& m, Position origin, real invH)
