@@ -185,8 +185,10 @@ for (const [name, file] of Object.entries(pages)) describe(name, () => {
 
   test('adds trails, contacts and impulses when asked', () => withPage(file, { frame: middle }, async tab => {
     const busiest = data.frames.reduce((best, f, i) => (f.contacts.length > data.frames[best].contacts.length ? i : best), middle);
+    const motion = f => f.energy[0];
+    const liveliest = data.frames.reduce((best, f, i) => (i > 5 && motion(f) > motion(data.frames[best]) ? i : best), 6);
     for (const [key, id] of [['t', 'trails'], ['c', 'contacts'], ['i', 'impulses']]) {
-      await tab.evaluate(f => window.tamiasReplay.setFrame(f), key === 't' ? middle : busiest);
+      await tab.evaluate(f => window.tamiasReplay.setFrame(f), key === 't' ? liveliest : busiest);
       const plain = await screenshot(tab);
       await tab.keyboard.press(key);
       assert.equal(await tab.getAttribute(`#${id}`, 'aria-pressed'), 'true');
@@ -199,11 +201,11 @@ for (const [name, file] of Object.entries(pages)) describe(name, () => {
 
   test('zooms towards the pointer, pans by dragging, and fits again', () => withPage(file, {}, async (tab, api) => {
     const { index, at } = await visibleBody(tab, api, data), box = await tab.locator('#stage').boundingBox();
-    await tab.mouse.move(at.x, at.y);
+    await tab.mouse.move(Math.round(at.x), Math.round(at.y));
     await tab.mouse.wheel(0, -400);
     await tab.waitForTimeout(100);
     const zoomed = await api('screenOf', index);
-    assert.ok(Math.hypot(zoomed.x - at.x, zoomed.y - at.y) < 0.6, 'the body under the pointer stays under it');
+    assert.ok(Math.hypot(zoomed.x - at.x, zoomed.y - at.y) < 1.5, 'the body under the pointer stays under it');
     await tab.mouse.move(box.x + 40, box.y + box.height - 80);
     await tab.mouse.down();
     await tab.mouse.move(box.x + 110, box.y + box.height - 120, { steps: 5 });
