@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: MIT
-#include "base/hash.hpp"
 #include "diagnostics/energy.hpp"
 #include "queries/search.hpp"
 #include "world/impl.hpp"
@@ -250,34 +249,6 @@ bool World::touching(ShapeId a, ShapeId b) const
 
 Energy World::energy() const { return totalEnergy(impl_->bodies, impl_->field(), impl_->time); }
 Momentum World::momentum() const { return totalMomentum(impl_->bodies); }
-
-std::uint64_t World::stateHash() const noexcept
-{
-    Hasher hash;
-    hash.add(impl_->time);
-    hash.add(impl_->steps);
-    for (std::uint32_t slot = 0; slot < impl_->bodies.rows.size(); ++slot) {
-        if (!impl_->bodies.ids.isAlive(slot)) continue;
-        const BodyRow& b = impl_->bodies.rows[slot];
-        hash.add(std::uint64_t{slot});
-        hash.add(static_cast<std::uint64_t>(b.type) | (b.enabled ? 8u : 0u) | (b.lockX ? 16u : 0u) |
-                 (b.lockY ? 32u : 0u) | (b.lockRotation ? 64u : 0u));
-        for (const double value : {b.center.x, b.center.y, b.angle}) hash.add(value);
-        for (const real value : {b.velocity.x, b.velocity.y, b.spin, b.mass, b.inertia, b.stepForce.x, b.stepForce.y,
-                                 b.stepTorque})
-            hash.add(value);
-        hash.add(static_cast<std::uint64_t>(b.shapes.size()));
-    }
-    for (const Contact& c : impl_->contacts.rows) {
-        hash.add((std::uint64_t{c.shapeA} << 32) | c.shapeB);
-        hash.add(static_cast<std::uint64_t>(c.count) | (c.touching ? 8u : 0u));
-        for (int i = 0; i < c.count; ++i) {
-            hash.add(c.points[i].normalImpulse);
-            hash.add(c.points[i].tangentImpulse);
-        }
-    }
-    return hash.value();
-}
 
 // --- queries
 

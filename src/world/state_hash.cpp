@@ -1,0 +1,148 @@
+// SPDX-License-Identifier: MIT
+// One number for everything that decides how a world goes on: a field added to a table belongs here, too.
+// Names, user data and the world's number decide nothing and are left out; of a force law, code cannot be
+// hashed.
+
+#include "base/hash.hpp"
+#include "world/impl.hpp"
+
+namespace tamias2d::inline TAMIAS_PRECISION {
+namespace {
+
+void add(Hasher& hash, Vec2 v)
+{
+    hash.add(v.x);
+    hash.add(v.y);
+}
+
+void add(Hasher& hash, Position p)
+{
+    hash.add(p.x);
+    hash.add(p.y);
+}
+
+template <class... Flags>
+void addFlags(Hasher& hash, Flags... flags)
+{
+    std::uint64_t bits = 1;
+    ((bits = bits << 8 | static_cast<std::uint64_t>(flags)), ...);
+    hash.add(bits);
+}
+
+void add(Hasher& hash, const std::string& text)
+{
+    hash.add(std::uint64_t{text.size()});
+    for (const char c : text)
+        hash.add(static_cast<std::uint64_t>(static_cast<unsigned char>(c)));
+}
+
+void add(Hasher& hash, const WorldDef& def)
+{
+    add(hash, def.gravity);
+    hash.add(def.gravitationConstant);
+    hash.add(def.lengthUnit);
+    addFlags(hash, def.frictionMixing, def.restitutionMixing);
+    const Tuning& t = def.tuning;
+    for (const real value : {t.restGap, t.touchingFactor, t.pushRate, t.pushSpeed, t.pushSlack, t.restless,
+                             t.calmRate, t.calmSpeed, t.impactThreshold})
+        hash.add(value);
+    for (const int value : {t.extraPasses, t.impactsPerContact, t.impactSweeps})
+        hash.add(static_cast<std::uint64_t>(value));
+}
+
+void add(Hasher& hash, const Geometry& geometry)
+{
+    hash.add(std::uint64_t{geometry.index()});
+    if (const auto* circle = std::get_if<Circle>(&geometry)) {
+        add(hash, circle->center);
+        hash.add(circle->radius);
+    } else if (const auto* capsule = std::get_if<Capsule>(&geometry)) {
+        add(hash, capsule->a);
+        add(hash, capsule->b);
+        hash.add(capsule->radius);
+    } else if (const auto* segment = std::get_if<Segment>(&geometry)) {
+        add(hash, segment->a);
+        add(hash, segment->b);
+        hash.add(segment->radius);
+    } else if (const auto* polygon = std::get_if<Polygon>(&geometry)) {
+        hash.add(static_cast<std::uint64_t>(polygon->count));
+        for (const Vec2 v : polygon->points())
+            add(hash, v);
+        hash.add(polygon->radius);
+    }
+}
+
+void add(Hasher& hash, const ShapeDef& def)
+{
+    add(hash, def.geometry);
+    add(hash, def.offset);
+    hash.add(def.angle);
+    const Material& m = def.material;
+    for (const real value : {def.density, m.friction, m.restitution, m.rollingResistance, m.surfaceSpeed})
+        hash.add(value);
+    addFlags(hash, m.frictionMixing, m.restitutionMixing);
+    hash.add(def.filter.category);
+    hash.add(def.filter.mask);
+    hash.add(static_cast<std::uint64_t>(def.filter.group));
+}
+
+void add(Hasher& hash, const BodyRow& b)
+{
+    addFlags(hash, b.type, b.enabled, b.lockX, b.lockY, b.lockRotation, b.massIsSet, b.gravity.has_value());
+    add(hash, b.center);
+    hash.add(b.angle);
+    add(hash, b.localCenter);
+    for (const real value : {b.velocity.x, b.velocity.y, b.spin, b.mass, b.inertia, b.stepForce.x,
+                             b.stepForce.y, b.stepTorque, b.linearDamping, b.angularDamping, b.gravityScale})
+        hash.add(value);
+    add(hash, b.gravity.value_or(Vec2{}));
+    hash.add(std::uint64_t{b.lasting.size()});
+    for (const LastingForce& f : b.lasting) {
+        add(hash, f.force);
+        add(hash, f.point);
+        addFlags(hash, f.forceTurns, f.pointTurns);
+        hash.add(f.torque);
+    }
+}
+
+void add(Hasher& hash, const Contact& c)
+{
+    hash.add((std::uint64_t{c.shapeA} << 32) | c.shapeB);
+    addFlags(hash, c.count, c.touching);
+    hash.add(c.rollingImpulse);
+    for (int i = 0; i < c.count; ++i) {
+        hash.add(c.points[i].normalImpulse);
+        hash.add(c.points[i].tangentImpulse);
+    }
+}
+
+}  // namespace
+
+std::uint64_t World::stateHash() const noexcept
+{
+    Hasher hash;
+    hash.add(impl_->time);
+    hash.add(impl_->steps);
+    add(hash, impl_->settings);
+    for (const PlacedLaw& placed : impl_->laws) {
+        hash.add(std::uint64_t{placed.body.index});
+        add(hash, placed.law.name);
+        add(hash, placed.law.parameters);
+    }
+    for (std::uint32_t slot = 0; slot < impl_->bodies.rows.size(); ++slot) {
+        if (!impl_->bodies.ids.isAlive(slot)) continue;
+        const BodyRow& body = impl_->bodies.rows[slot];
+        hash.add(std::uint64_t{slot});
+        add(hash, body);
+        hash.add(std::uint64_t{body.shapes.size()});
+        for (const std::uint32_t shape : body.shapes) {
+            hash.add(std::uint64_t{shape});
+            add(hash, impl_->shapes.rows[shape].def);
+        }
+    }
+    for (const Contact& contact : impl_->contacts.rows)
+        add(hash, contact);
+    return hash.value();
+}
+
+}  // namespace tamias2d::inline TAMIAS_PRECISION
