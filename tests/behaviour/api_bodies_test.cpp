@@ -228,7 +228,7 @@ TEST(UserData, IsKeptForBodiesAndShapes)
 
 TEST(Handles, FindWhatIsAliveAndOnlyThat)
 {
-    TRACES("R1", "R4");
+    TRACES("R1", "R4", "ADR4");
     World world;
     Body a = world.createBody(), b = world.createBody();
     Shape shape = a.createShape({});

@@ -53,7 +53,7 @@ std::string asItIs(const std::string& text)
 
 TEST(BrokenScene, TextThatIsNoJsonIsToldByLineAndColumn)
 {
-    TRACES("R4", "ADR10");
+    TRACES("R4", "ADR14");
     expectAll(
         {
             {"", "1:1: not valid JSON: syntax error while parsing value - unexpected end of input; expected '[', "

@@ -25,7 +25,7 @@ std::string messageOf(const std::string& specification)
 
 TEST(BuiltinScenes, AllCanBeMadeAndStepped)
 {
-    TRACES("R1", "ADR10");
+    TRACES("R1", "ADR14");
     ASSERT_GE(builtinScenes().size(), 5u);
     for (const BuiltinScene& about : builtinScenes()) {
         const Scene scene = makeBuiltinScene(about.name);
@@ -40,7 +40,7 @@ TEST(BuiltinScenes, AllCanBeMadeAndStepped)
 
 TEST(BuiltinScenes, AreSortedByNameWithADocumentedDefaultForEveryParameter)
 {
-    TRACES("ADR10");
+    TRACES("ADR14");
     const auto& all = builtinScenes();
     EXPECT_TRUE(std::is_sorted(all.begin(), all.end(),
                                [](const auto& a, const auto& b) { return a.name < b.name; }));

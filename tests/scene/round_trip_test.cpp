@@ -126,7 +126,7 @@ void expectSameBody(const Body& a, const Body& b)
 
 TEST(SceneRoundTrip, EverythingAWorldHoldsComesBack)
 {
-    TRACES("R2", "R3", "ADR10");
+    TRACES("R2", "R3", "ADR14");
     const auto world = strangeWorld();
     SceneInfo info;
     info.title = "Strange";

@@ -12,7 +12,7 @@ namespace {
 
 TEST(SceneFiles, EveryOneCanBeReadAndRunForASecond)
 {
-    TRACES("R1", "R2", "ADR10");
+    TRACES("R1", "R2", "ADR14");
     int count = 0;
     for (const auto& file : std::filesystem::directory_iterator(TAMIAS_SOURCE_DIR "/scenes")) {
         if (file.path().extension() != ".json") continue;

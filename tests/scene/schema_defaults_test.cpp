@@ -62,7 +62,7 @@ void expectDefaults(const Json& written, const Json& properties, std::set<std::s
 
 TEST(SceneSchema, HasTheLibrarysKeysAndDefaults)
 {
-    TRACES("R4", "ADR10");
+    TRACES("R4", "ADR14");
     const Json all = defaults(), defs = schema()["$defs"];
     const Json& body = all["bodies"][0];
     const Json& shape = body["shapes"][0];

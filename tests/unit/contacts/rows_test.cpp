@@ -82,7 +82,7 @@ TEST(ContactPoint, AnImpulseThereKeepsLinearAndAngularMomentum)
 
 TEST(Mixing, FollowsEachRuleAndTheStrongerOfTwo)
 {
-    TRACES("R3", "DC-CR");
+    TRACES("R3", "DC-C_R");
     using enum MixingRule;
     const real a = real(0.25), b = 1;
     EXPECT_FLOAT_EQ(float(mixed(a, b, World, World, GeometricMean)), 0.5f);

@@ -50,7 +50,7 @@ TEST(Integration, OfExponentialDampingWithAConstantForceIsExact)
 
 TEST(Integration, ClampsSpeedAtTheBoundAndSaysSo)
 {
-    TRACES("DC-V", "DC-OMEGA");
+    TRACES("DC-v", "DC-omega");
     Motion m;
     m.velocity = {real(3e6), real(4e6)};
     EXPECT_TRUE(clampSpeed(m, 1));
