@@ -17,6 +17,7 @@ namespace {
 
 constexpr std::int64_t kMostFrames = 1500;
 constexpr std::size_t kMostBytes = 18'000'000;  // of frames; the page stays below 20 MB
+constexpr std::size_t kMostHits = 40;            // of one step
 constexpr std::string_view kPlace = "/*TAMIAS_REPLAY_DATA*/";
 
 using Json = nlohmann::ordered_json;
@@ -50,11 +51,11 @@ void appendImpulse(std::string& out, Position at, Vec2 normal, real impulse, int
     out += ',';
     appendFixed(out, at.y, decimals);
     out += ',';
-    appendFixed(out, static_cast<double>(normal.x), 4);
+    appendFixed(out, static_cast<double>(normal.x), 3);
     out += ',';
-    appendFixed(out, static_cast<double>(normal.y), 4);
+    appendFixed(out, static_cast<double>(normal.y), 3);
     out += ',';
-    appendShort(out, static_cast<double>(impulse), 4);
+    appendShort(out, static_cast<double>(impulse), 3);
     out += "],";
 }
 
@@ -144,7 +145,7 @@ Replay::Replay(const Scene& scene, const ReplayTiming& timing)
     head_.pop_back();  // its closing brace comes after the frames
     stride_ = std::max<std::int64_t>(1, (timing.steps + kMostFrames - 1) / kMostFrames);
     const double unit = static_cast<double>(scene.world->definition().lengthUnit);
-    decimals_ = std::clamp(5 - static_cast<int>(std::lround(std::log10(unit))), 0, 15);
+    decimals_ = std::clamp(5 - static_cast<int>(std::lround(std::log10(unit))), 1, 15);
     addFrame(*scene.world);
 }
 
@@ -156,10 +157,15 @@ void Replay::add(const World& world)
     if (bytes_ > kMostBytes) thinOut();
 }
 
+/// The strongest of the step; a crowd that comes to rest makes hundreds that nobody could see.
 void Replay::noteHits(const World& world)
 {
-    for (const HitEvent& hit : world.events().hits) {
-        appendImpulse(hits_, hit.point, hit.normal, hit.normalImpulse, decimals_);
+    std::vector<HitEvent> hits(world.events().hits.begin(), world.events().hits.end());
+    const auto isStronger = [](const HitEvent& a, const HitEvent& b) { return a.normalImpulse > b.normalImpulse; };
+    std::stable_sort(hits.begin(), hits.end(), isStronger);
+    hits.resize(std::min(hits.size(), kMostHits));
+    for (const HitEvent& hit : hits) {
+        appendImpulse(hits_, hit.point, hit.normal, hit.normalImpulse, decimals_ - 1);
     }
 }
 
@@ -181,17 +187,20 @@ void Replay::addFrame(const World& world)
     dropComma(out);
     out += "],\"velocities\":[";
     for (const BodyState& s : states_) {
-        for (const real v : {s.linearVelocity.x, s.linearVelocity.y, s.angularVelocity}) {
-            appendShort(out, static_cast<double>(v), 5);
-            out += ',';
-        }
+        // Fixed decimals, so that the many bodies at rest take a digit each.
+        appendFixed(out, static_cast<double>(s.linearVelocity.x), decimals_ - 1);
+        out += ',';
+        appendFixed(out, static_cast<double>(s.linearVelocity.y), decimals_ - 1);
+        out += ',';
+        appendFixed(out, static_cast<double>(s.angularVelocity), 4);
+        out += ',';
     }
     dropComma(out);
     out += "],\"contacts\":[";
     for (const ContactView& contact : world.contacts()) {
         for (int i = 0; contact.touching && i < contact.pointCount; ++i) {
             const ContactPoint& point = contact.points[static_cast<std::size_t>(i)];
-            appendImpulse(out, point.position, contact.normal, point.normalImpulse, decimals_);
+            appendImpulse(out, point.position, contact.normal, point.normalImpulse, decimals_ - 1);
         }
     }
     dropComma(out);
