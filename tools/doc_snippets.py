@@ -9,6 +9,7 @@ What it prints must be the ```text block that follows it, if the next block is o
     doc_snippets.py --extract FILE OUT_DIR   the first program of FILE to program.cpp, its output to expected.txt"""
 
 import argparse
+import difflib
 import re
 import subprocess
 import sys
@@ -94,7 +95,8 @@ def compile_and_run(program: Program, build: Path, stem: Path) -> str | None:
     if ran.returncode:
         return f"ends with exit code {ran.returncode}\n{ran.stderr}"
     if program.expected is not None and ran.stdout != program.expected:
-        return f"prints\n{ran.stdout}and not what the page says"
+        return "prints other lines than the page says\n" + "\n".join(difflib.unified_diff(
+            program.expected.splitlines(), ran.stdout.splitlines(), "page", "program", lineterm="", n=0))
     return None
 
 
