@@ -25,15 +25,14 @@ HOW_TO_READ = """\
 # Verification
 
 Each experiment is one scene, built with the same numbers in every engine and measured by code that belongs
-to none of them ([apps/verify](../apps/verify)). `./dev verify` makes this page anew; it needs a few minutes.
+to none of them ([apps/verify](../apps/verify)). `./dev verify` makes this page anew; it takes some minutes.
 
 * Behind each value stands its difference from the reference, in percent of the reference; where the
   reference is 0, in percent of what the text of the group says. `0 %` means equal in all bits that are kept.
 * A reference is a closed form, or what an ideal rigid body does. "-" means that the engine
   cannot do it, or that there is nothing to measure as the stack fell.
-* All engines take 60 steps a second, with their defaults and sleeping off: {settings}.
-  One step of each costs about as many passes over its contacts. Tamias2D f64 and Chipmunk calculate in
-  double, Tamias2D f32 and Box2D in float.
+* All engines take 60 steps a second, with their defaults and sleeping off. One step of each makes about as
+  many passes over its contacts.
 * Chipmunk and Box2D are Debian's packages. Chipmunk's core is the one that Pymunk grew from.
 * Rows where another engine comes closer are listed [below](#where-another-engine-comes-closer), by the program.
 """
@@ -49,10 +48,10 @@ ratio is for orientation: one machine, and the scenes of this page.
 CORES = """\
 ## Pymunk and Debian's Chipmunk
 
-Pymunk {pymunk} from PyPI (core {core}) runs three of the scenes, as Chipmunk 7.0.3 does above. Given are the
-largest differences between the two in the place and the velocity of any body, and the total energy of both.
-A gas is chaotic: after a few collisions any difference of rounding becomes one of places; its energy is what
-can be compared.
+Pymunk {pymunk} from PyPI (its core calls itself {core}) runs three of the scenes, as Chipmunk 7.0.3 does
+above. Given are the largest differences between the two in the place and the velocity of any body, and the
+total energy of both. A gas is chaotic: a difference in the last bit grows until the places have nothing in
+common; its energy is what can be compared.
 """
 
 TRACE = """\
@@ -107,13 +106,14 @@ def run_pymunk(figures: Path) -> dict:
 
 def page(results: dict, pymunk: dict) -> str:
     engines = results["engines"]
-    settings = ", ".join(f"{e['title']} {e['settings']}" for e in engines if e["key"] != "f64")
-    parts = [HOW_TO_READ.format(settings=settings.replace("Tamias2D f32", "Tamias2D")), overview(results)]
+    parts = [HOW_TO_READ, table(["Engine", "a step", "calculates in"],
+                                [[e["title"], e["settings"], e["precision"]] for e in engines]), overview(results)]
     for group in results["groups"]:
         parts.append(f"## {group['title']}\n\n{group['text']}\n")
         parts.append(table(["Experiment", "Quantity", "Reference", *(f"{e['title']} (diff)" for e in engines)],
                            group_rows(group["rows"], engines)))
-    parts += [CORES.format(**pymunk), cores_table(pymunk["rows"]), TIMES, times_table(results), TRACE, trace_table()]
+    parts += [CORES.format(pymunk=pymunk["pymunk"], core=pymunk["core"].split("-")[0]), cores_table(pymunk["rows"]),
+              TIMES, times_table(results), TRACE, trace_table()]
     return "\n".join(parts)
 
 
@@ -160,7 +160,8 @@ def cores_table(rows: list[dict]) -> str:
     cells = [[row["scene"], f"{row['time']:g} s", f"{row['place']:.3g} m", f"{row['speed']:.3g} m/s",
               f"{row['chipmunk']:.6g} J", f"{row['pymunk']:.6g} J",
               percent(100 * (row["pymunk"] - row["chipmunk"]) / row["chipmunk"])] for row in rows]
-    return table(["Scene", "after", "places differ by", "velocities by", "Chipmunk's energy", "Pymunk's", "diff"], cells)
+    return table(["Scene", "after", "places differ by", "velocities by", "Chipmunk's energy", "Pymunk's", "diff"],
+                 cells)
 
 
 def times_table(results: dict) -> str:
@@ -216,7 +217,7 @@ def with_difference(row: dict, engine: str) -> str:
 
 
 def percent(value: float) -> str:
-    return "0 %" if value == 0 else f"{value:+.2g} %" if abs(value) < 100 else f"{value:+.0f} %"
+    return "0 %" if value == 0 else f"{value:+.2g} %" if abs(value) < 99.5 else f"{value:+.0f} %"
 
 
 def number(value: float | None, unit: str) -> str:

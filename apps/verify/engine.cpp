@@ -25,10 +25,11 @@ double box2dGap(const SceneBody& a, const SceneBody& b)
 }
 
 constexpr EngineKind kEngines[] = {
-    {"f64", "Tamias2D f64", "4 sub-steps", true, true, makeTamiasF64, tamiasGap},
-    {"f32", "Tamias2D f32", "4 sub-steps", true, true, makeTamiasF32, tamiasGap},
-    {"chipmunk", "Chipmunk 7.0.3", "10 iterations", false, true, makeChipmunk, chipmunkGap},
-    {"box2d", "Box2D 2.4.1", "8 velocity and 3 position iterations", false, false, makeBox2D, box2dGap},
+    {"f64", "Tamias2D f64", "4 sub-steps", "double", true, true, makeTamiasF64, tamiasGap},
+    {"f32", "Tamias2D f32", "4 sub-steps", "float", true, true, makeTamiasF32, tamiasGap},
+    {"chipmunk", "Chipmunk 7.0.3", "10 iterations", "double", false, true, makeChipmunk, chipmunkGap},
+    {"box2d", "Box2D 2.4.1", "8 velocity and 3 position iterations", "float", false, false, makeBox2D,
+     box2dGap},
 };
 
 }  // namespace

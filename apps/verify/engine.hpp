@@ -22,7 +22,8 @@ public:
 struct EngineKind {
     const char* key;       ///< in the JSON
     const char* title;     ///< in the report
-    const char* settings;  ///< per step
+    const char* settings;  ///< of a step
+    const char* precision; ///< that it calculates in
     bool ours;             ///< else a peer
     bool rounds;           ///< has polygons with rounded corners
     std::unique_ptr<Engine> (*make)(const Scene&);

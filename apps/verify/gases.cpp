@@ -51,7 +51,8 @@ void gases(Report& report)
     report.group(
         "Many bodies: energy and momentum (GD1, DD15, 5.2.7)",
         "Gas: bodies of 0.5 m in a closed box of 20 m, C_R = 1, no friction, no gravity; its kinetic energy "
-        "must stay; overlaps are looked at every 10 steps, percent of 0.4 m, the size of a body; bodies "
+        "must stay; overlaps are looked at every 10 steps, percent of the size of a body, 0.5 m or 0.4 m; "
+        "bodies "
         "outside, percent of all. Cluster: 100 discs and boxes fly into each other, C_R = 0.5; drifts are "
         "relative to the sum of the magnitudes, rises of energy are summed over 10 s.");
     report.measure("Gas of 100 discs",

@@ -176,7 +176,11 @@ void impacts(Report& report)
         "Single impacts (R8, DD8, DD10, DD11)",
         "Velocities after one frictionless impact, against DD8 evaluated at the exact place and time of the "
         "impact. Percentages are of the fastest initial speed in m/s (spins: of that figure in rad/s). What "
-        "is left in Tamias2D comes from the rest gap of 0.1 %: its bodies meet that much earlier.");
+        "is left in Tamias2D comes from its rest gap: bodies meet 0.1 % of their width earlier, and the "
+        "place and "
+        "normal of the impact lie within that gap. DD8 with the place and normal that it reports holds to "
+        "rounding; "
+        "the tests show that.");
     discOnBox(report);
     cornerOnEdge(report);
     flatOnEdge(report);

@@ -52,8 +52,10 @@ int verifyMain(int count, char** arguments)
 
     Report report;
     for (const EngineKind& kind : engines())
-        report.json()["engines"].push_back(
-            {{"key", kind.key}, {"title", kind.title}, {"settings", kind.settings}});
+        report.json()["engines"].push_back({{"key", kind.key},
+                                            {"title", kind.title},
+                                            {"settings", kind.settings},
+                                            {"precision", kind.precision}});
     for (const Group* group : chosen) {
         std::fprintf(stderr, "%s\n", group->key);
         group->run(report);
