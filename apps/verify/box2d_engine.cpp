@@ -20,8 +20,7 @@ public:
     explicit Box2DEngine(const Scene& scene) : scene_(scene), world_(toB2(scene.gravity))
     {
         world_.SetAllowSleeping(false);
-        for (const SceneBody& body : scene.bodies)
-            add(body);
+        for (const SceneBody& body : scene.bodies) add(body);
     }
 
     void step() override
@@ -59,8 +58,7 @@ private:
         fixture.shape = &circle;
         if (source.outline == Outline::Polygon) {
             std::vector<b2Vec2> corners;
-            for (Vec c : source.corners)
-                corners.push_back(toB2(c));
+            for (Vec c : source.corners) corners.push_back(toB2(c));
             polygon.Set(corners.data(), static_cast<int32>(corners.size()));
             fixture.shape = &polygon;
         }
@@ -79,8 +77,7 @@ private:
     void pull()
     {
         std::vector<State> states(bodies_.size());
-        for (std::size_t i = 0; i < states.size(); ++i)
-            states[i] = state(i);
+        for (std::size_t i = 0; i < states.size(); ++i) states[i] = state(i);
         const std::vector<Pull> pulls = pullsOn(scene_, states, time_);
         for (std::size_t i = 0; i < pulls.size(); ++i) {
             bodies_[i]->ApplyForceToCenter(toB2(pulls[i].force), true);

@@ -15,8 +15,7 @@ public:
     {
         cpSpaceSetGravity(space_, cpv(scene.gravity.x, scene.gravity.y));
         cpSpaceSetDamping(space_, std::exp(-scene.damping));
-        for (const SceneBody& body : scene.bodies)
-            add(body);
+        for (const SceneBody& body : scene.bodies) add(body);
     }
 
     ~ChipmunkEngine() override
@@ -64,8 +63,7 @@ private:
             shape = cpCircleShapeNew(body, source.radius, cpvzero);
         } else {
             std::vector<cpVect> corners;
-            for (Vec c : source.corners)
-                corners.push_back(cpv(c.x, c.y));
+            for (Vec c : source.corners) corners.push_back(cpv(c.x, c.y));
             shape = cpPolyShapeNewRaw(body, static_cast<int>(corners.size()), corners.data(), source.radius);
         }
         // It multiplies the values of the two shapes; the scene states the value of the pair.
@@ -78,8 +76,7 @@ private:
     void pull()
     {
         std::vector<State> states(bodies_.size());
-        for (std::size_t i = 0; i < states.size(); ++i)
-            states[i] = state(i);
+        for (std::size_t i = 0; i < states.size(); ++i) states[i] = state(i);
         const std::vector<Pull> pulls = pullsOn(scene_, states, time_);
         for (std::size_t i = 0; i < pulls.size(); ++i) {
             if (scene_.bodies[i].fixed) continue;

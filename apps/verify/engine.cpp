@@ -68,15 +68,13 @@ void Trial::step()
 void Trial::run(double seconds)
 {
     const auto count = std::lround(seconds * scene_.rate);
-    for (long i = 0; i < count; ++i)
-        step();
+    for (long i = 0; i < count; ++i) step();
 }
 
 std::vector<State> Trial::states() const
 {
     std::vector<State> all(scene_.bodies.size());
-    for (std::size_t i = 0; i < all.size(); ++i)
-        all[i] = engine_->state(i);
+    for (std::size_t i = 0; i < all.size(); ++i) all[i] = engine_->state(i);
     return all;
 }
 

@@ -163,8 +163,7 @@ Values cradle(const EngineKind& kind, int strikers)
     Trial trial(kind, scene);
     trial.run(1.5);
     Values speeds;
-    for (const State& s : trial.states())
-        speeds.push_back(s.velocity.x);
+    for (const State& s : trial.states()) speeds.push_back(s.velocity.x);
     return speeds;
 }
 

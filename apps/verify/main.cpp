@@ -24,8 +24,7 @@ constexpr Group kGroups[] = {
 int usage()
 {
     std::fprintf(stderr, "usage: tamias_verify [-o FILE.json] [GROUP ...]\ngroups:");
-    for (const Group& group : kGroups)
-        std::fprintf(stderr, " %s", group.key);
+    for (const Group& group : kGroups) std::fprintf(stderr, " %s", group.key);
     std::fprintf(stderr, "\n");
     return 2;
 }
@@ -47,8 +46,7 @@ int verifyMain(int count, char** arguments)
         chosen.push_back(found);
     }
     if (chosen.empty())
-        for (const Group& group : kGroups)
-            chosen.push_back(&group);
+        for (const Group& group : kGroups) chosen.push_back(&group);
 
     Report report;
     for (const EngineKind& kind : engines())

@@ -66,16 +66,14 @@ std::vector<Vec> cornersInWorld(const SceneBody& body, const State& pose)
 {
     std::vector<Vec> corners;
     const Vec x = turned({1, 0}, pose.angle), y = {-x.y, x.x};
-    for (Vec c : body.corners)
-        corners.push_back(pose.position + c.x * x + c.y * y);
+    for (Vec c : body.corners) corners.push_back(pose.position + c.x * x + c.y * y);
     return corners;
 }
 
 double outerRadius(const SceneBody& body)
 {
     double r = 0;
-    for (Vec c : body.corners)
-        r = std::max(r, length(c));
+    for (Vec c : body.corners) r = std::max(r, length(c));
     return r + body.radius;
 }
 
@@ -87,8 +85,7 @@ double edgeSeparation(const std::vector<Vec>& a, const std::vector<Vec>& b)
         const Vec edge = a[(i + 1) % a.size()] - a[i];
         const Vec normal = 1 / length(edge) * Vec{edge.y, -edge.x};
         double nearest = std::numeric_limits<double>::infinity();
-        for (Vec p : b)
-            nearest = std::min(nearest, dot(normal, p - a[i]));
+        for (Vec p : b) nearest = std::min(nearest, dot(normal, p - a[i]));
         best = std::max(best, nearest);
     }
     return best;

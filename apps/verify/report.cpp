@@ -19,8 +19,7 @@ nlohmann::json toJson(const State& s)
 nlohmann::json toJson(const SceneBody& body)
 {
     nlohmann::json corners = nlohmann::json::array();
-    for (Vec c : body.corners)
-        corners.push_back({c.x, c.y});
+    for (Vec c : body.corners) corners.push_back({c.x, c.y});
     return {{"fixed", body.fixed},   {"mass", body.mass},  {"inertia", body.inertia},
             {"radius", body.radius}, {"corners", corners}, {"start", toJson(body.start)}};
 }
@@ -55,14 +54,12 @@ void Report::measure(const std::string& experiment, const std::vector<Quantity>&
 void Report::shareScene(const std::string& title, const EngineKind& chipmunk, const Scene& scene)
 {
     nlohmann::json bodies = nlohmann::json::array(), samples = nlohmann::json::array();
-    for (const SceneBody& body : scene.bodies)
-        bodies.push_back(toJson(body));
+    for (const SceneBody& body : scene.bodies) bodies.push_back(toJson(body));
     Trial trial(chipmunk, scene);
     for (double seconds : {1.0, 10.0, 60.0}) {
         trial.run(seconds - trial.time());
         nlohmann::json states = nlohmann::json::array();
-        for (const State& s : trial.states())
-            states.push_back(toJson(s));
+        for (const State& s : trial.states()) states.push_back(toJson(s));
         samples.push_back({{"time", seconds}, {"states", states}});
     }
     json_["shared"].push_back({{"title", title},

@@ -58,8 +58,7 @@ SceneBody hexagon(double circumradius, Vec position)
 {
     SceneBody body = box(1, 1, position);
     body.corners.clear();
-    for (int i = 0; i < 6; ++i)
-        body.corners.push_back(turned({circumradius, 0}, i * std::numbers::pi / 3));
+    for (int i = 0; i < 6; ++i) body.corners.push_back(turned({circumradius, 0}, i * std::numbers::pi / 3));
     const double r2 = circumradius * circumradius;
     body.mass = 1.5 * std::numbers::sqrt3 * r2;
     body.inertia = body.mass * r2 * 5 / 12;

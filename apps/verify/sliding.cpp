@@ -16,8 +16,7 @@ Values glide(const EngineKind& kind, SceneBody body, double halfHeight, double d
         return {std::nullopt, std::nullopt};
     Scene scene;
     scene.friction = 0;
-    for (int i = 0; i < 200; ++i)
-        scene.add(fixedBox(1, 1, {static_cast<double>(i), -0.5}));
+    for (int i = 0; i < 200; ++i) scene.add(fixedBox(1, 1, {static_cast<double>(i), -0.5}));
     const double rest = halfHeight + kind.restGap(scene.bodies[0], body);
     body.start.position = {2, rest + drop};
     body.start.velocity = {5, 0};

@@ -54,8 +54,7 @@ void stacks(Report& report)
         "Fastest body: speed of the center plus spin times the bounding radius, the highest in the last "
         "second. Overlaps are true ones, by separating axes, percent of 1 m (pile: 0.6 m); Box2D and "
         "Tamias2D rest at a gap, which hides as much sinking.");
-    for (int count : {10, 20, 50, 100})
-        aligned(report, count);
+    for (int count : {10, 20, 50, 100}) aligned(report, count);
     report.measure("Stack of 20, offsets up to 5 cm, 4 seeds, 60 s",
                    {{"stand", "of 4", 4}, {"moved sideways, worst", "mm", 0, 1000}}, withOffsets);
     report.measure("Pyramid of base 40 (820 boxes), 10 s",

@@ -25,8 +25,7 @@ public:
     explicit TamiasEngine(const Scene& scene)
         : dt_(1 / scene.rate), substeps_(scene.substeps), world_(worldOf(scene))
     {
-        for (const SceneBody& body : scene.bodies)
-            add(scene, body);
+        for (const SceneBody& body : scene.bodies) add(scene, body);
         if (!scene.pull) return;
         ForceLaw law;
         law.name = "pull";
@@ -66,8 +65,7 @@ private:
             shape.geometry = Circle{{}, static_cast<real>(source.radius)};
         } else {
             std::vector<Vec2> corners;
-            for (Vec c : source.corners)
-                corners.push_back(toReal(c));
+            for (Vec c : source.corners) corners.push_back(toReal(c));
             shape.geometry = makePolygon(corners, static_cast<real>(source.radius));
         }
         shape.material.friction = static_cast<real>(scene.friction);

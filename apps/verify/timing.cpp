@@ -13,8 +13,7 @@ double millisecondsPerStep(const EngineKind& kind, const Scene& scene, int steps
 {
     Trial trial(kind, scene);
     const auto start = std::chrono::steady_clock::now();
-    for (int i = 0; i < steps; ++i)
-        trial.step();
+    for (int i = 0; i < steps; ++i) trial.step();
     const auto end = std::chrono::steady_clock::now();
     return std::chrono::duration<double, std::milli>(end - start).count() / steps;
 }

@@ -24,8 +24,7 @@ Values atWall(const EngineKind& kind, SceneBody body, double speed, double thick
     Trial trial(kind, scene);
     trial.run(9 / std::min(speed, 100.0) + 0.1);  // as in passedHeadOn
     double passed = 0;
-    for (std::size_t i = 1; i < scene.bodies.size(); i += 2)
-        passed += trial.state(i).position.x > 0;
+    for (std::size_t i = 1; i < scene.bodies.size(); i += 2) passed += trial.state(i).position.x > 0;
     return {passed};
 }
 
