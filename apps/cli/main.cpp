@@ -42,7 +42,8 @@ void checkOption(const char* flag, const std::optional<T>& value, double least, 
 {
     if (!value) return;
     const double number = static_cast<double>(*value);
-    if (!(number >= least && number <= most)) throw UsageError(fmt::format("{} = {}: {}", flag, *value, rule));
+    if (!(number >= least && number <= most))
+        throw UsageError(fmt::format("{} = {}: {}", flag, *value, rule));
 }
 
 void checkRequest(const RunRequest& request)
@@ -61,7 +62,9 @@ int run(Options options)
     {
         Progress progress;
         if (!options.quiet) {
-            options.request.onStep = [&](std::int64_t done, std::int64_t total) { progress.show(done, total); };
+            options.request.onStep = [&](std::int64_t done, std::int64_t total) {
+                progress.show(done, total);
+            };
         }
         result = runnerOf(options).run(options.request);
         seconds = progress.seconds();
@@ -81,8 +84,8 @@ int run(Options options)
 int check(const Options& options)
 {
     const SceneSummary s = runnerOf(options).check(options.request.scene);
-    fmt::print("{}: good. {} bodies, {} shapes, {} force laws; {:g} s at {:g} Hz x {}\n", options.request.scene,
-               s.bodies, s.shapes, s.laws, s.seconds, s.rate, s.substeps);
+    fmt::print("{}: good. {} bodies, {} shapes, {} force laws; {:g} s at {:g} Hz x {}\n",
+               options.request.scene, s.bodies, s.shapes, s.laws, s.seconds, s.rate, s.substeps);
     return kDone;
 }
 
@@ -155,7 +158,8 @@ int start(int argc, char** argv)
     CLI::App* runVerb = app.add_subcommand("run", "Simulate a scene");
     addSceneOption(runVerb, options);
     addRunOptions(runVerb, options);
-    CLI::App* checkVerb = app.add_subcommand("check", "Read a scene and say what is wrong with it, if anything");
+    CLI::App* checkVerb =
+        app.add_subcommand("check", "Read a scene and say what is wrong with it, if anything");
     addSceneOption(checkVerb, options);
     CLI::App* hashVerb = app.add_subcommand("hash", "Print the hash of the state after some steps");
     addSceneOption(hashVerb, options);

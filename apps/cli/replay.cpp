@@ -39,8 +39,10 @@ void appendFixed(std::string& out, double value, int decimals)
 /// With so many significant digits.
 void appendShort(std::string& out, double value, int digits)
 {
-    if (std::isfinite(value)) fmt::format_to(std::back_inserter(out), "{:.{}g}", value, digits);
-    else out += "null";
+    if (std::isfinite(value))
+        fmt::format_to(std::back_inserter(out), "{:.{}g}", value, digits);
+    else
+        out += "null";
 }
 
 /// "[x,y,nx,ny,impulse]," of an impulse at a point.
@@ -96,9 +98,12 @@ Json shapeJson(const ShapeDef& def)
 const char* typeName(BodyType type)
 {
     switch (type) {
-    case BodyType::Static: return "static";
-    case BodyType::Kinematic: return "kinematic";
-    case BodyType::Dynamic: break;
+    case BodyType::Static:
+        return "static";
+    case BodyType::Kinematic:
+        return "kinematic";
+    case BodyType::Dynamic:
+        break;
     }
     return "dynamic";
 }
@@ -115,8 +120,10 @@ std::string scriptText(const Json& value)
 {
     std::string out;
     for (const char c : value.dump(-1, ' ', false, Json::error_handler_t::replace)) {
-        if (c == '<') out += "\\u003c";
-        else out += c;
+        if (c == '<')
+            out += "\\u003c";
+        else
+            out += c;
     }
     return out;
 }
@@ -161,7 +168,9 @@ void Replay::add(const World& world)
 void Replay::noteHits(const World& world)
 {
     std::vector<HitEvent> hits(world.events().hits.begin(), world.events().hits.end());
-    const auto isStronger = [](const HitEvent& a, const HitEvent& b) { return a.normalImpulse > b.normalImpulse; };
+    const auto isStronger = [](const HitEvent& a, const HitEvent& b) {
+        return a.normalImpulse > b.normalImpulse;
+    };
     std::stable_sort(hits.begin(), hits.end(), isStronger);
     hits.resize(std::min(hits.size(), kMostHits));
     for (const HitEvent& hit : hits) {

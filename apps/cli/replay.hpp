@@ -22,8 +22,8 @@ struct ReplayTiming {
 ///     {"title", "precision", "rate", "substeps", "version", "dt", "view": {"lower", "upper"},
 ///      "bodies": [{"name", "type", "shapes": [{"kind", "points", "radius"}]}],
 ///      "frames": [{"t", "poses": [x, y, angle, ...], "velocities": [vx, vy, w, ...],
-///                  "contacts": [[x, y, nx, ny, impulse], ...], "hits": [likewise, of the steps since the last frame],
-///                  "energy": [kinetic, potential, total], "momentum": [px, py, L]}]}
+///                  "contacts": [[x, y, nx, ny, impulse], ...], "hits": [likewise, of the steps since the
+///                  last frame], "energy": [kinetic, potential, total], "momentum": [px, py, L]}]}
 ///
 /// A recording has at most kMostFrames, and fewer if its bodies are many: then steps are left out
 /// evenly. The last state is always there.

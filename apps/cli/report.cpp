@@ -29,7 +29,9 @@ std::string reportText(const RunResult& result)
         {"precision", result.precision},
         {"bodies", bodies},
         {"energy",
-         {{"initial", result.energyBefore}, {"final", result.energyAfter}, {"highest", result.energyHighest}}},
+         {{"initial", result.energyBefore},
+          {"final", result.energyAfter},
+          {"highest", result.energyHighest}}},
         {"momentum", {{"linear", momentum.linear}, {"angular", momentum.angular}}},
         {"contacts", result.contacts},
         {"deepestPenetration", result.deepestPenetration},
@@ -48,16 +50,17 @@ std::string tableText(const RunResult& r, double wallSeconds)
     const auto row = [&](const char* label, const std::string& text) {
         out += fmt::format("  {:<10} {}\n", label, text);
     };
-    row("steps", fmt::format("{} of 1/{:g} s x {}, {}: {:g} s simulated in {:.2f} s", r.steps, r.rate, r.substeps,
-                             r.precision, r.time, wallSeconds));
+    row("steps", fmt::format("{} of 1/{:g} s x {}, {}: {:g} s simulated in {:.2f} s", r.steps, r.rate,
+                             r.substeps, r.precision, r.time, wallSeconds));
     row("ms/step", fmt::format("{:.3f} mean, {:.3f} longest", r.meanStep, r.maxStep));
-    row("energy", fmt::format("{:.6g} J before, {:.6g} J after, {:.6g} J highest", r.energyBefore, r.energyAfter,
-                              r.energyHighest));
+    row("energy", fmt::format("{:.6g} J before, {:.6g} J after, {:.6g} J highest", r.energyBefore,
+                              r.energyAfter, r.energyHighest));
     row("momentum", fmt::format("{} before, {} after   [kg*m/s], [kg*m^2/s]", momentum(r.momentumBefore),
                                 momentum(r.momentumAfter)));
-    row("contacts", fmt::format("{} touch at the end; deepest penetration {:.3g} m", r.contacts,
-                                r.deepestPenetration));
-    if (r.limitsHit > 0) row("limits", fmt::format("the solver had to limit something {} times", r.limitsHit));
+    row("contacts",
+        fmt::format("{} touch at the end; deepest penetration {:.3g} m", r.contacts, r.deepestPenetration));
+    if (r.limitsHit > 0)
+        row("limits", fmt::format("the solver had to limit something {} times", r.limitsHit));
     row("hash", hashText(r.hash));
     return out;
 }

@@ -63,15 +63,16 @@ std::vector<BodyResult> bodiesOf(World& world)
         const Body body = world.body(id);
         const Position p = body.position();
         const DVec2 v = toDVec2(body.linearVelocity());
-        results.push_back({body.name(), {p.x, p.y}, body.angle(), {v.x, v.y},
-                           static_cast<double>(body.angularVelocity())});
+        results.push_back(
+            {body.name(), {p.x, p.y}, body.angle(), {v.x, v.y}, static_cast<double>(body.angularVelocity())});
     }
     return results;
 }
 
 std::uint64_t sumOf(const ClampCounts& c)
 {
-    return std::uint64_t{c.speed} + c.position + c.push + c.impactsPerContact + c.impactSweeps + c.advancement;
+    return std::uint64_t{c.speed} + c.position + c.push + c.impactsPerContact + c.impactSweeps +
+           c.advancement;
 }
 
 /// Why a step makes the run a failure; empty if it does not.
@@ -162,8 +163,10 @@ RunResult run(const RunRequest& request)
 SceneSummary check(const std::string& name)
 {
     const Scene scene = open(name);
-    return {scene.info.title,         scene.world->bodyCount(), scene.world->shapeCount(),
-            scene.world->forceLaws().size(), scene.info.seconds, scene.info.rate, scene.info.substeps};
+    return {scene.info.title,          scene.world->bodyCount(),
+            scene.world->shapeCount(), scene.world->forceLaws().size(),
+            scene.info.seconds,        scene.info.rate,
+            scene.info.substeps};
 }
 
 std::uint64_t hash(const RunRequest& request)
@@ -177,10 +180,14 @@ std::uint64_t hash(const RunRequest& request)
 std::string rangeOf(const BuiltinParameter& p)
 {
     switch (p.type) {
-    case BuiltinParameterType::Switch: return "true or false";
-    case BuiltinParameterType::Choice: return fmt::format("{}", fmt::join(p.choices, ", "));
-    case BuiltinParameterType::Integer: return fmt::format("whole, {} to {}", p.least, p.most);
-    case BuiltinParameterType::Number: break;
+    case BuiltinParameterType::Switch:
+        return "true or false";
+    case BuiltinParameterType::Choice:
+        return fmt::format("{}", fmt::join(p.choices, ", "));
+    case BuiltinParameterType::Integer:
+        return fmt::format("whole, {} to {}", p.least, p.most);
+    case BuiltinParameterType::Number:
+        break;
     }
     return fmt::format("{} to {}", p.least, p.most);
 }

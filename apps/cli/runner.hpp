@@ -81,7 +81,7 @@ struct BuiltinText {
 struct Runner {
     RunResult (*run)(const RunRequest& request);           ///< @throws UsageError
     SceneSummary (*check)(const std::string& scene);       ///< @throws UsageError
-    std::uint64_t (*hash)(const RunRequest& request);      ///< of the state after the run   @throws UsageError
+    std::uint64_t (*hash)(const RunRequest& request);  ///< of the state after the run   @throws UsageError
     std::vector<BuiltinText> (*builtins)();
 };
 

@@ -46,8 +46,8 @@ void Trace::add(World& world)
         const Body body = world.body(bodies_[i]);
         const Position p = body.position();
         const Vec2 v = body.linearVelocity();
-        fmt::format_to(std::back_inserter(rows), "{},{},{},{},{},{},{},{},{},", time, bodies_[i].index, names_[i], p.x,
-                       p.y, body.angle(), v.x, v.y, body.angularVelocity());
+        fmt::format_to(std::back_inserter(rows), "{},{},{},{},{},{},{},{},{},", time, bodies_[i].index,
+                       names_[i], p.x, p.y, body.angle(), v.x, v.y, body.angularVelocity());
         appendConserved(rows, body.energy(), body.momentum());
     }
     fmt::format_to(std::back_inserter(rows), "{},*,,,,,,,,", time);

@@ -166,9 +166,12 @@ template <class T>
 concept HasFields = requires { fieldsOf(static_cast<const T*>(nullptr), [](const char*, auto) {}); };
 
 inline constexpr std::pair<const char*, MixingRule> kMixingNames[] = {
-    {"world", MixingRule::World},         {"average", MixingRule::Average},
-    {"minimum", MixingRule::Minimum},     {"multiply", MixingRule::Multiply},
-    {"geometricMean", MixingRule::GeometricMean}, {"maximum", MixingRule::Maximum},
+    {"world", MixingRule::World},
+    {"average", MixingRule::Average},
+    {"minimum", MixingRule::Minimum},
+    {"multiply", MixingRule::Multiply},
+    {"geometricMean", MixingRule::GeometricMean},
+    {"maximum", MixingRule::Maximum},
 };
 inline constexpr std::pair<const char*, BodyType> kBodyTypeNames[] = {
     {"static", BodyType::Static},
@@ -177,7 +180,13 @@ inline constexpr std::pair<const char*, BodyType> kBodyTypeNames[] = {
 };
 
 /// The names of an enumeration's values in a scene.
-inline const auto& namesOf(MixingRule) { return kMixingNames; }
-inline const auto& namesOf(BodyType) { return kBodyTypeNames; }
+inline const auto& namesOf(MixingRule)
+{
+    return kMixingNames;
+}
+inline const auto& namesOf(BodyType)
+{
+    return kBodyTypeNames;
+}
 
 }  // namespace tamias2d::inline TAMIAS_PRECISION::scene

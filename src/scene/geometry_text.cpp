@@ -91,8 +91,9 @@ constexpr struct {
     const char* key;
     Geometry (*read)(const Node&);
 } kKinds[] = {
-    {"circle", readPlain<Circle>}, {"capsule", readPlain<Capsule>}, {"segment", readPlain<Segment>},
-    {"box", readBox},              {"polygon", readPolygon},        {"regularPolygon", readRegularPolygon},
+    {"circle", readPlain<Circle>},   {"capsule", readPlain<Capsule>},
+    {"segment", readPlain<Segment>}, {"box", readBox},
+    {"polygon", readPolygon},        {"regularPolygon", readRegularPolygon},
 };
 
 constexpr const char* kOneKind =

@@ -138,8 +138,10 @@ std::size_t findInText(std::string_view text, std::string_view pointer)
         pointer = end == std::string_view::npos ? std::string_view{} : pointer.substr(end);
 
         Step step;
-        if (scan.is('{')) step = findMember(scan, part);
-        else if (scan.is('[')) step = findElement(scan, part);
+        if (scan.is('{'))
+            step = findMember(scan, part);
+        else if (scan.is('['))
+            step = findElement(scan, part);
         if (!step.found) return start;
         start = step.start;
         scan.goTo(step.value);
@@ -151,9 +153,12 @@ std::string escapePointer(std::string_view part)
 {
     std::string out;
     for (const char c : part) {
-        if (c == '~') out += "~0";
-        else if (c == '/') out += "~1";
-        else out += c;
+        if (c == '~')
+            out += "~0";
+        else if (c == '/')
+            out += "~1";
+        else
+            out += c;
     }
     return out;
 }

@@ -14,8 +14,10 @@ std::vector<std::string> fieldParts(std::string_view field)
 {
     std::vector<std::string> parts(1);
     for (const char c : field) {
-        if (c == '.' || c == '[') parts.emplace_back();
-        else if (c != ']') parts.back() += c;
+        if (c == '.' || c == '[')
+            parts.emplace_back();
+        else if (c != ']')
+            parts.back() += c;
     }
     return parts;
 }
@@ -75,8 +77,10 @@ void Node::refuse(const InputError& error) const
     Node at = *this;
     for (const std::string& part : fieldParts(error.field)) {
         const std::string key = keyFor(part, at);
-        if (at.has(key)) at = at.child(key);
-        else if (isIndex(part, at.value())) at = at.child(std::stoul(part));
+        if (at.has(key))
+            at = at.child(key);
+        else if (isIndex(part, at.value()))
+            at = at.child(std::stoul(part));
     }
     at.refuse(at.path() == path_ ? error.field + " = " + error.value + ": " + error.rule : error.rule);
 }

@@ -45,7 +45,8 @@ public:
         // The library's position is one past the byte at fault, or the size at the text's end.
         const std::size_t offset = position == 0 ? 0 : position - 1;
         const TextPlace place = placeOf(text_, offset < text_.size() ? offset : text_.size());
-        throw SceneError(source_, place.line, place.column, "", "", "not valid JSON: " + reason(fault.what()));
+        throw SceneError(source_, place.line, place.column, "", "",
+                         "not valid JSON: " + reason(fault.what()));
     }
 
     const std::string& duplicate() const noexcept { return duplicate_; }
@@ -105,10 +106,14 @@ std::optional<std::size_t> findTooDeep(std::string_view text)
     bool inString = false;
     for (std::size_t i = 0; i < text.size(); ++i) {
         const char c = text[i];
-        if (inString && c == '\\') ++i;
-        else if (c == '"') inString = !inString;
-        else if (!inString && (c == '{' || c == '[') && ++depth > kMaxDepth) return i;
-        else if (!inString && (c == '}' || c == ']')) --depth;
+        if (inString && c == '\\')
+            ++i;
+        else if (c == '"')
+            inString = !inString;
+        else if (!inString && (c == '{' || c == '[') && ++depth > kMaxDepth)
+            return i;
+        else if (!inString && (c == '}' || c == ']'))
+            --depth;
     }
     return std::nullopt;
 }

@@ -99,8 +99,10 @@ void readWorldLaw(const Node& node, World& world, const std::vector<BodyId>& bod
     const std::optional<Node> body = in.find("body");
     in.finish();
     tryAt(node, [&] {
-        if (body) findBodyFor(*body, world, bodies).addForceLaw(std::move(law));
-        else world.addForceLaw(std::move(law));
+        if (body)
+            findBodyFor(*body, world, bodies).addForceLaw(std::move(law));
+        else
+            world.addForceLaw(std::move(law));
     });
 }
 

@@ -7,8 +7,8 @@ namespace tamias2d::inline TAMIAS_PRECISION {
 
 SceneError::SceneError(std::string sourceName, int lineNumber, int columnNumber, std::string path,
                        std::string givenValue, std::string brokenRule)
-    : InputError(std::move(path), std::move(givenValue), std::move(brokenRule)), source(std::move(sourceName)),
-      line(lineNumber), column(columnNumber)
+    : InputError(std::move(path), std::move(givenValue), std::move(brokenRule)),
+      source(std::move(sourceName)), line(lineNumber), column(columnNumber)
 {
     // Faults of the text itself have no path: there the column leads to the place.
     sceneText_ = source;

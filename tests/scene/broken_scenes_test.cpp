@@ -56,19 +56,24 @@ TEST(BrokenScene, TextThatIsNoJsonIsToldByLineAndColumn)
     TRACES("R4", "ADR14");
     expectAll(
         {
-            {"", "1:1: not valid JSON: syntax error while parsing value - unexpected end of input; expected '[', "
-                 "'{', or a literal"},
-            {"{\"tamias2d\": 1,\n  }", "2:3: not valid JSON: syntax error while parsing object key - unexpected '}'; "
-                                       "expected string literal"},
-            {"{\"tamias2d\": 1,\n \"x\": NaN}",
-             "2:7: not valid JSON: syntax error while parsing value - invalid literal; last read: '\"x\": N'"},
+            {"",
+             "1:1: not valid JSON: syntax error while parsing value - unexpected end of input; expected '[', "
+             "'{', or a literal"},
+            {"{\"tamias2d\": 1,\n  }",
+             "2:3: not valid JSON: syntax error while parsing object key - unexpected '}'; "
+             "expected string literal"},
+            {"{\"tamias2d\": 1,\n \"x\": NaN}", "2:7: not valid JSON: syntax error while parsing value - "
+                                                "invalid literal; last read: '\"x\": N'"},
             {"{\"tamias2d\": 1e999}", "1:18: not valid JSON: number overflow parsing '1e999'"},
-            {"{\"tamias2d\": 1} 2", "1:17: not valid JSON: syntax error while parsing value - unexpected number "
-                                    "literal; expected end of input"},
-            {"{\"tamias2d\": 1,\n \"run\": {\"rate\": 60,\n \"rate\": 30}}", "3: /run/rate: must not be there twice"},
+            {"{\"tamias2d\": 1} 2",
+             "1:17: not valid JSON: syntax error while parsing value - unexpected number "
+             "literal; expected end of input"},
+            {"{\"tamias2d\": 1,\n \"run\": {\"rate\": 60,\n \"rate\": 30}}",
+             "3: /run/rate: must not be there twice"},
         },
         asItIs);
-    EXPECT_EQ(messageOf("[" + std::string(100000, '[')), "s.json:1:33: must not be nested deeper than 32 levels");
+    EXPECT_EQ(messageOf("[" + std::string(100000, '[')),
+              "s.json:1:33: must not be nested deeper than 32 levels");
 }
 
 TEST(BrokenScene, TheTopSaysWhatItNeeds)
@@ -108,23 +113,27 @@ TEST(BrokenScene, ABodysFaultIsFoundInTheBody)
         {
             {"\"position\": [1e10, 0]",
              "3: /bodies/0/position = [10000000000.0,0]: must be finite, each coordinate within +-1e+09 m"},
-            {"\"type\": \"dynamik\"", "3: /bodies/0/type = \"dynamik\": unknown word; did you mean \"dynamic\"?"},
+            {"\"type\": \"dynamik\"",
+             "3: /bodies/0/type = \"dynamik\": unknown word; did you mean \"dynamic\"?"},
             {"\"mass\": {\n \"mass\": -1}", "4: /bodies/0/mass/mass = -1: must be finite and > 0 kg"},
             {"\"mass\": {\"mass\": 1,\n \"inertia\": -2}",
              "4: /bodies/0/mass/inertia = -2: must be finite and >= 0 kg*m^2"},
             {"\"linearDamping\": -0.5", "3: /bodies/0/linearDamping = -0.5: must be finite and >= 0 1/s"},
-            {"\"angularVelocity\": 2e6", "3: /bodies/0/angularVelocity = 2000000.0: must be finite and within +-1e6 rad/s"},
-            {"\"userData\": -1", "3: /bodies/0/userData = -1: must be a whole number from 0 to 18446744073709551615"},
+            {"\"angularVelocity\": 2e6",
+             "3: /bodies/0/angularVelocity = 2000000.0: must be finite and within +-1e6 rad/s"},
+            {"\"userData\": -1",
+             "3: /bodies/0/userData = -1: must be a whole number from 0 to 18446744073709551615"},
             {"\"locks\": {\"z\": true}", "3: /bodies/0/locks/z = true: unknown key; known: x, y, rotation"},
             {"\"enabled\": 1", "3: /bodies/0/enabled = 1: must be true or false"},
-            {"\"velocity\": [0, 0]", "3: /bodies/0/velocity = [0,0]: unknown key; known: name, type, position, angle, "
-                                     "linearVelocity, angularVelocity, mass, linearDamping, angularDamping, "
-                                     "gravityScale, gravity, enabled, userData, locks, shapes, forces, laws"},
+            {"\"velocity\": [0, 0]",
+             "3: /bodies/0/velocity = [0,0]: unknown key; known: name, type, position, angle, "
+             "linearVelocity, angularVelocity, mass, linearDamping, angularDamping, "
+             "gravityScale, gravity, enabled, userData, locks, shapes, forces, laws"},
             {"\"forces\": [{\"force\": \"up\"}]",
              "3: /bodies/0/forces/0/force = \"up\": must be two numbers: [x, y]"},
-            {"\"laws\": [{\"law\": \"wind\"}]",
-             "3: /bodies/0/laws/0/law = \"wind\": no law of this name is built in or was given to the reader; known: "
-             "springTo, attractionTo, drag, torsionSpring"},
+            {"\"laws\": [{\"law\": \"wind\"}]", "3: /bodies/0/laws/0/law = \"wind\": no law of this name is "
+                                                "built in or was given to the reader; known: "
+                                                "springTo, attractionTo, drag, torsionSpring"},
             {"\"laws\": [{\"law\": \"springTo\", \"stiffness\": 1}]",
              "3: /bodies/0/laws/0: must have the key \"point\""},
             {"\"laws\": [{\"law\": \"drag\",\n \"linear\": -1}]",
@@ -140,14 +149,19 @@ TEST(BrokenScene, AShapesFaultIsFoundInTheShape)
         {
             {"", "3: /bodies/0/shapes/0: must have exactly one of circle, capsule, segment, box, polygon, "
                  "regularPolygon"},
-            {"\"circle\": {}, \"box\": {}", "3: /bodies/0/shapes/0/box: must have exactly one of circle, capsule, "
-                                            "segment, box, polygon, regularPolygon"},
+            {"\"circle\": {}, \"box\": {}",
+             "3: /bodies/0/shapes/0/box: must have exactly one of circle, capsule, "
+             "segment, box, polygon, regularPolygon"},
             {"\"cirlce\": {}", "3: /bodies/0/shapes/0/cirlce: unknown key; did you mean \"circle\"?"},
-            {"\"circle\": {},\n \"restitution\": 1.1", "4: /bodies/0/shapes/0/restitution = 1.1: must be in [0, 1]"},
-            {"\"circle\": {},\n \"restitution\": -0.1", "4: /bodies/0/shapes/0/restitution = -0.1: must be in [0, 1]"},
-            {"\"circle\": {},\n \"friction\": -1", "4: /bodies/0/shapes/0/friction = -1: must be in [0, 1e6]"},
+            {"\"circle\": {},\n \"restitution\": 1.1",
+             "4: /bodies/0/shapes/0/restitution = 1.1: must be in [0, 1]"},
+            {"\"circle\": {},\n \"restitution\": -0.1",
+             "4: /bodies/0/shapes/0/restitution = -0.1: must be in [0, 1]"},
+            {"\"circle\": {},\n \"friction\": -1",
+             "4: /bodies/0/shapes/0/friction = -1: must be in [0, 1e6]"},
             {"\"circle\": {},\n \"filter\": {\n \"group\": 3e9}",
-             "5: /bodies/0/shapes/0/filter/group = 3000000000.0: must be a whole number from -2147483648 to 2147483647"},
+             "5: /bodies/0/shapes/0/filter/group = 3000000000.0: must be a whole number from -2147483648 to "
+             "2147483647"},
         },
         withShape);
 }
@@ -163,9 +177,12 @@ TEST(BrokenScene, GeometryThatTheLibraryRefusesIsToldAtItsPlace)
         {"\"circle\": {\n \"radius\": 0}", "s.json:4: /bodies/0/shapes/0/circle/radius = 0: must be "},
         {"\"capsule\": {\n \"radius\": -1}", "s.json:4: /bodies/0/shapes/0/capsule/radius = -1: must be "},
         {"\"box\": {\n \"width\": 0}", "s.json:4: /bodies/0/shapes/0/box/width = 0: must be "},
-        {"\"regularPolygon\": {\n \"count\": 2}", "s.json:4: /bodies/0/shapes/0/regularPolygon/count = 2: must be "},
-        {"\"polygon\": {\"radius\": 0,\n \"vertices\": [[0, 0], [1, 0]]}", "s.json:4: /bodies/0/shapes/0/polygon/vertices"},
-        {"\"polygon\": {\n \"vertices\": [[0, 0], [1, 1], [2, 2]]}", "s.json:4: /bodies/0/shapes/0/polygon/vertices"},
+        {"\"regularPolygon\": {\n \"count\": 2}",
+         "s.json:4: /bodies/0/shapes/0/regularPolygon/count = 2: must be "},
+        {"\"polygon\": {\"radius\": 0,\n \"vertices\": [[0, 0], [1, 0]]}",
+         "s.json:4: /bodies/0/shapes/0/polygon/vertices"},
+        {"\"polygon\": {\n \"vertices\": [[0, 0], [1, 1], [2, 2]]}",
+         "s.json:4: /bodies/0/shapes/0/polygon/vertices"},
         {"\"polygon\": {}", "s.json:3: /bodies/0/shapes/0/polygon: must have the key \"vertices\""},
         {"\"circle\": {},\n \"density\": -1", "s.json:4: /bodies/0/shapes/0/density = -1: must be "},
     };
@@ -178,13 +195,16 @@ TEST(BrokenScene, GeometryThatTheLibraryRefusesIsToldAtItsPlace)
 TEST(BrokenScene, ABuiltinsParametersAreTold)
 {
     TRACES("R4");
-    const auto wrap = [](const std::string& text) { return "{\"tamias2d\": 1,\n \"builtin\": {" + text + "}}"; };
+    const auto wrap = [](const std::string& text) {
+        return "{\"tamias2d\": 1,\n \"builtin\": {" + text + "}}";
+    };
     expectAll(
         {
             {"\"base\": 3", "2: /builtin: must have the key \"name\""},
             {"\"name\": \"pyramit\"",
              "2: /builtin/name = \"pyramit\": no built-in scene has this name; did you mean \"pyramid\"?"},
-            {"\"name\": \"pyramid\",\n \"base\": 0", "3: /builtin/base = 0: must be a whole number in [1, 150]"},
+            {"\"name\": \"pyramid\",\n \"base\": 0",
+             "3: /builtin/base = 0: must be a whole number in [1, 150]"},
             {"\"name\": \"pyramid\",\n \"base\": \"20\"",
              "3: /builtin/base = \"20\": must be a whole number in [1, 150]"},
             {"\"name\": \"pyramid\", \"basis\": 3",
@@ -232,9 +252,10 @@ TEST(BrokenScene, ANumberTooLargeForFloatIsRefusedInFloatOnly)
 {
     TRACES("R4", "ADR2");
     const std::string text = "{\"tamias2d\": 1, \"world\": {\"gravity\": [0, 1e39]}}";
-    EXPECT_EQ(messageOf(text), kDouble ? "(no error)"
-                                       : "s.json:1: /world/gravity/1 = 1e+39: must be finite in single precision, "
-                                         "that is within 3.4e38 of zero");
+    EXPECT_EQ(messageOf(text),
+              kDouble ? "(no error)"
+                      : "s.json:1: /world/gravity/1 = 1e+39: must be finite in single precision, "
+                        "that is within 3.4e38 of zero");
 }
 
 }  // namespace

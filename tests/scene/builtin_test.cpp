@@ -42,8 +42,8 @@ TEST(BuiltinScenes, AreSortedByNameWithADocumentedDefaultForEveryParameter)
 {
     TRACES("ADR14");
     const auto& all = builtinScenes();
-    EXPECT_TRUE(std::is_sorted(all.begin(), all.end(),
-                               [](const auto& a, const auto& b) { return a.name < b.name; }));
+    EXPECT_TRUE(
+        std::is_sorted(all.begin(), all.end(), [](const auto& a, const auto& b) { return a.name < b.name; }));
     for (const BuiltinScene& scene : all) {
         for (const BuiltinParameter& p : scene.parameters) {
             EXPECT_FALSE(p.doc.empty()) << scene.name << "." << p.name;
@@ -65,7 +65,8 @@ TEST(BuiltinScenes, WrongParametersAreNamed)
         {"pyramid:base=2.5", "pyramid:base=2.5: base = 2.5: must be a whole number in [1, 150]"},
         {"pyramid:base=nan", "pyramid:base=nan: base = nan: must be a whole number in [1, 150]"},
         {"pyramid:base", "pyramid:base: base: must be given a value: base=..."},
-        {"pyramid:bse=3", "pyramid:bse=3: bse: no parameter of \"pyramid\" has this name; did you mean \"base\"?"},
+        {"pyramid:bse=3",
+         "pyramid:bse=3: bse: no parameter of \"pyramid\" has this name; did you mean \"base\"?"},
         {"pile:restitution=1.1", "pile:restitution=1.1: restitution = 1.1: must be a number in [0, 1]"},
         {"tiles:body=ball",
          "tiles:body=ball: body = ball: must be one of box, roundedBox, capsule, circle, hexagon, disc"},
@@ -85,7 +86,8 @@ TEST(BuiltinScenes, ParametersShowInTheWorld)
     EXPECT_EQ(makeBuiltinScene("tiles:count=10,wall=false").world->bodyCount(), 11u);
 
     const Scene struck = makeBuiltinScene("cradle:balls=5,strikers=2,speed=3");
-    EXPECT_EQ(struck.world->momentum().linear.x, 2 * 3 * static_cast<double>(struck.world->findBody("ball 1")->mass()));
+    EXPECT_EQ(struck.world->momentum().linear.x,
+              2 * 3 * static_cast<double>(struck.world->findBody("ball 1")->mass()));
 }
 
 TEST(BuiltinScenes, BoxesStandAtTheRestGap)

@@ -54,9 +54,11 @@ std::unique_ptr<World> strangeWorld()
     shape.filter = {0x8000000000000001u, 0x00ff00ff00ff00ffu, -7};
     shape.userData = 12345678901234567890u;
     for (const Geometry& geometry :
-         {Geometry(Circle{vec(0.1, 0.2), toReal(0.3)}), Geometry(Capsule{vec(0, 0), vec(0.1, 1), toReal(0.2)}),
-          Geometry(Segment{vec(-1, 0), vec(1, 0.1), toReal(0.01)}), Geometry(makeBox(toReal(0.6), toReal(1.1))),
-          Geometry(makeBox(1, 2, toReal(0.1))), Geometry(makeRegularPolygon(7, toReal(0.9), toReal(0.05)))}) {
+         {Geometry(Circle{vec(0.1, 0.2), toReal(0.3)}),
+          Geometry(Capsule{vec(0, 0), vec(0.1, 1), toReal(0.2)}),
+          Geometry(Segment{vec(-1, 0), vec(1, 0.1), toReal(0.01)}),
+          Geometry(makeBox(toReal(0.6), toReal(1.1))), Geometry(makeBox(1, 2, toReal(0.1))),
+          Geometry(makeRegularPolygon(7, toReal(0.9), toReal(0.05)))}) {
         shape.geometry = geometry;
         first.createShape(shape);
     }

@@ -52,7 +52,8 @@ void expectDefaults(const Json& written, const Json& properties, std::set<std::s
         if (property.contains("default")) {
             EXPECT_EQ(property["default"], item.value()) << item.key() << " in docs/scene.schema.json";
         } else {
-            EXPECT_TRUE(item.value().is_structured() || item.value().is_null()) << item.key() << " has no default";
+            EXPECT_TRUE(item.value().is_structured() || item.value().is_null())
+                << item.key() << " has no default";
         }
     }
     std::set<std::string> expected = keysOf(written);
@@ -104,7 +105,8 @@ TEST(SceneSchema, KnowsEveryFieldOfEveryDefinition)
     // a new key. The number is that of the keys, which may be nested or spread otherwise.
     [[maybe_unused]] const auto& [a1, a2, a3, a4, a5, a6] = WorldDef{};
     [[maybe_unused]] const auto& [t1, t2, t3, t4, t5, t6, t7, t8, t9, t10, t11, t12] = Tuning{};
-    [[maybe_unused]] const auto& [b1, b2, b3, b4, b5, b6, b7, b8, b9, b10, b11, b12, b13, b14, b15, b16] = BodyDef{};
+    [[maybe_unused]] const auto& [b1, b2, b3, b4, b5, b6, b7, b8, b9, b10, b11, b12, b13, b14, b15, b16] =
+        BodyDef{};
     [[maybe_unused]] const auto& [s1, s2, s3, s4, s5, s6, s7] = ShapeDef{};
     [[maybe_unused]] const auto& [m1, m2, m3, m4, m5, m6] = Material{};
     [[maybe_unused]] const auto& [f1, f2, f3] = Filter{};
@@ -112,7 +114,9 @@ TEST(SceneSchema, KnowsEveryFieldOfEveryDefinition)
     [[maybe_unused]] const auto& [p1, p2, p3] = MassProperties{};
 
     const Json defs = schema()["$defs"];
-    const auto count = [&](const char* name) { return defs[name]["properties"].size() - 1; };  // less $comment
+    const auto count = [&](const char* name) {
+        return defs[name]["properties"].size() - 1;
+    };  // less $comment
     EXPECT_EQ(count("world"), 6u);
     EXPECT_EQ(count("tuning"), 12u);
     EXPECT_EQ(count("body"), 16u - 3 + 1 + 3);   // three locks are one key; shapes, forces and laws

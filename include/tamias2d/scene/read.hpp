@@ -18,7 +18,8 @@ struct SceneReadOptions {
 /// Makes a Scene from text in the scene format (docs/guide/scenes.md, docs/scene.schema.json).
 /// @param source  what to call the text in messages, e.g. its file name
 /// @throws SceneError with line, path, value and rule
-Scene readScene(std::string_view text, std::string_view source = "scene", const SceneReadOptions& options = {});
+Scene readScene(std::string_view text, std::string_view source = "scene",
+                const SceneReadOptions& options = {});
 
 /// Reads a scene file.
 /// @throws SceneError as readScene, or if the file cannot be read

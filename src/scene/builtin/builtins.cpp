@@ -57,8 +57,10 @@ std::string ruleOf(const BuiltinParameter& p)
         return "must be a whole number in [" + plainText(p.least) + ", " + plainText(p.most) + "]";
     case BuiltinParameterType::Number:
         return "must be a number in [" + plainText(p.least) + ", " + plainText(p.most) + "]";
-    case BuiltinParameterType::Switch: return "must be true or false";
-    case BuiltinParameterType::Choice: break;
+    case BuiltinParameterType::Switch:
+        return "must be true or false";
+    case BuiltinParameterType::Choice:
+        break;
     }
     std::string all = "must be one of ";
     for (const std::string& choice : p.choices) all += (choice == p.choices.front() ? "" : ", ") + choice;
@@ -80,10 +82,13 @@ bool isAllowed(const BuiltinParameter& p, const std::string& text)
 bool hasKind(const BuiltinParameter& p, const Json& value)
 {
     switch (p.type) {
-    case BuiltinParameterType::Switch: return value.is_boolean();
-    case BuiltinParameterType::Choice: return value.is_string();
+    case BuiltinParameterType::Switch:
+        return value.is_boolean();
+    case BuiltinParameterType::Choice:
+        return value.is_string();
     case BuiltinParameterType::Integer:
-    case BuiltinParameterType::Number: break;
+    case BuiltinParameterType::Number:
+        break;
     }
     return value.is_number();
 }
@@ -93,8 +98,7 @@ void setFromNode(Parameters& parameters, const BuiltinScene& about, const Node& 
     const BuiltinParameter* parameter = parameters.find(key);
     if (parameter == nullptr) node.refuse(unknownParameter(about, key));
     if (!hasKind(*parameter, node.value())) node.refuse(ruleOf(*parameter));
-    const std::string text =
-        node.value().is_string() ? node.value().get<std::string>() : node.value().dump();
+    const std::string text = node.value().is_string() ? node.value().get<std::string>() : node.value().dump();
     if (const auto broken = parameters.set(*parameter, text)) node.refuse(*broken);
 }
 
@@ -175,8 +179,8 @@ BuiltinChoice readBuiltin(const Node& node)
 const std::vector<Builtin>& allBuiltins()
 {
     static const std::vector<Builtin> all = {
-        bounceScene(),  cradleScene(), dominoesScene(), gasScene(),   inclineScene(),
-        orbitScene(),   pileScene(),   pyramidScene(),  stackScene(), tilesScene(),
+        bounceScene(), cradleScene(), dominoesScene(), gasScene(),   inclineScene(),
+        orbitScene(),  pileScene(),   pyramidScene(),  stackScene(), tilesScene(),
     };
     return all;
 }

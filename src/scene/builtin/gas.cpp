@@ -65,15 +65,16 @@ void build(const Parameters& p, World& world)
 Builtin gasScene()
 {
     using enum BuiltinParameterType;
-    return {{"gas",
-             "A gas in a box",
-             "Discs and boxes that bounce without loss or friction, between four walls, without gravity.",
-             {{"discs", Integer, "100", 0, 10000, {}, "how many, of radius 0.25 m"},
-              {"boxes", Integer, "50", 0, 10000, {}, "how many, of 0.6 m by 0.4 m"},
-              {"speed", Number, "3", 0, 1000, {}, "fastest along each axis [m/s]; as a number, of spins [rad/s]"},
-              {"seed", Integer, "7", 0, 1e9, {}, "of the velocities"}}},
-            prepare,
-            build};
+    return {
+        {"gas",
+         "A gas in a box",
+         "Discs and boxes that bounce without loss or friction, between four walls, without gravity.",
+         {{"discs", Integer, "100", 0, 10000, {}, "how many, of radius 0.25 m"},
+          {"boxes", Integer, "50", 0, 10000, {}, "how many, of 0.6 m by 0.4 m"},
+          {"speed", Number, "3", 0, 1000, {}, "fastest along each axis [m/s]; as a number, of spins [rad/s]"},
+          {"seed", Integer, "7", 0, 1e9, {}, "of the velocities"}}},
+        prepare,
+        build};
 }
 
 }  // namespace tamias2d::inline TAMIAS_PRECISION::scene

@@ -16,8 +16,8 @@ void prepare(const Parameters& p, WorldDef&, SceneInfo& info)
 void build(const Parameters& p, World& world)
 {
     const double size = static_cast<double>(p.number("size"));
-    const double gap = static_cast<double>(p.numberIfGiven("gap").value_or(
-        static_cast<real>(restGap(world, size))));
+    const double gap =
+        static_cast<double>(p.numberIfGiven("gap").value_or(static_cast<real>(restGap(world, size))));
     const double offset = static_cast<double>(p.number("offset"));
     const double x = static_cast<double>(p.number("x"));
 

@@ -57,7 +57,8 @@ void addTiles(const Parameters& p, World& world, const Material& material)
         ShapeDef shape;
         shape.material = material;
         shape.geometry = makeBox(1, 1);
-        if (p.isOn("asSegments")) shape.geometry = Segment{{real(-0.5), real(0.5)}, {real(0.5), real(0.5)}, 0};
+        if (p.isOn("asSegments"))
+            shape.geometry = Segment{{real(-0.5), real(0.5)}, {real(0.5), real(0.5)}, 0};
         if (p.isOn("separateBodies")) {
             def.name = numbered("tile", i + 1);
             def.position = {x, top - 0.5};
@@ -77,11 +78,12 @@ void build(const Parameters& p, World& world)
     const Material material = surface(glider.rolls ? real(0.6) : 0);
     addTiles(p, world, material);
     if (p.isOn("wall")) {
-        addBody(world, "wall", BodyType::Static, {static_cast<double>(p.integer("count")), 2}, makeBox(1, 4), material);
+        addBody(world, "wall", BodyType::Static, {static_cast<double>(p.integer("count")), 2}, makeBox(1, 4),
+                material);
     }
     const double gap = restGap(world, minimum(glider.width, 1.0));
-    Body body = addBody(world, "glider", BodyType::Dynamic, {kStart, glider.height + gap}, glider.geometry,
-                        material);
+    Body body =
+        addBody(world, "glider", BodyType::Dynamic, {kStart, glider.height + gap}, glider.geometry, material);
     const real speed = p.number("speed");
     body.setLinearVelocity({speed, 0});
     if (glider.rolls) body.setAngularVelocity(-speed / static_cast<real>(glider.height));
@@ -96,7 +98,12 @@ Builtin tilesScene()
              "Over the tiles",
              "A body glides over a floor of separate flush tiles of 1 m to a wall.",
              {{"count", Integer, "200", 4, 10000, {}, "how many tiles"},
-              {"body", Choice, "box", 0, 0, {"box", "roundedBox", "capsule", "circle", "hexagon", "disc"},
+              {"body",
+               Choice,
+               "box",
+               0,
+               0,
+               {"box", "roundedBox", "capsule", "circle", "hexagon", "disc"},
                "what glides; a disc rolls, with friction 0.6"},
               {"speed", Number, "5", -1000, 1000, {}, "at the start [m/s]"},
               {"asSegments", Switch, "false", 0, 0, {}, "tiles are segments, not boxes"},
