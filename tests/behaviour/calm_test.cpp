@@ -66,7 +66,7 @@ TEST(Calm, FiftyStackedBoxesStandForAMinute)
 
 TEST(Calm, AHundredStackedBoxesStandForAMinute)
 {
-    TRACES("R8", "R5");
+    TRACES("R8", "R5", "ADR19");
     standsAMinute(100);
 }
 
@@ -86,7 +86,7 @@ TEST(Calm, TwentyBoxesStackedCarelesslyStandForAMinute)
 
 TEST(Calm, APyramidOfFortyRowsComesToRestInItsShape)
 {
-    TRACES("R8", "R5");
+    TRACES("R8", "R5", "ADR19");
     World world;
     addGround(world);
     const std::vector<Placed> boxes = addPyramid(world, 40);
@@ -152,19 +152,19 @@ void expectNoEnergyFromNowhere(double restitution)
 
 TEST(Calm, APlasticPileGainsNoEnergy)
 {
-    TRACES("R8", "DD15", "DD16");
+    TRACES("R8", "DD15", "DD16", "ADR18");
     expectNoEnergyFromNowhere(0);
 }
 
 TEST(Calm, AHalfElasticPileGainsNoEnergy)
 {
-    TRACES("R8", "DD15", "DD16");
+    TRACES("R8", "DD15", "DD16", "ADR18");
     expectNoEnergyFromNowhere(0.5);
 }
 
 TEST(Calm, ABouncyPileGainsNoEnergy)
 {
-    TRACES("R8", "DD15", "DD16");
+    TRACES("R8", "DD15", "DD16", "ADR18");
     expectNoEnergyFromNowhere(0.9);
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// TRACES("ADR2")
+// TRACES("ADR2", "ADR20")
 // Lets a ball fall in both precisions within one program and compares the two.
 
 #include <tamias2d/tamias2d.hpp>
