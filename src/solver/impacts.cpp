@@ -304,22 +304,21 @@ bool ImpactSolver::processBoth(Contact& c, int first, real t, real restitution)
     const real k12 = (a.invMass.x + b.invMass.x) * n.x * n.x + (a.invMass.y + b.invMass.y) * n.y * n.y +
                      a.invInertia * cross(one.place.armA, n) * cross(two.place.armA, n) +
                      b.invInertia * cross(one.place.armB, n) * cross(two.place.armB, n);
-    const real determinant = k1 * k2 - k12 * k12;
-    if (!(determinant > real(1e-6) * k1 * k2)) return false;
+    // One of the two may have no part in it: the first one hit then turns the body off the other.
     const real b1 = -(1 + restitution) * v1, b2 = -(1 + restitution) * v2;
-    const real j1 = (k2 * b1 - k12 * b2) / determinant, j2 = (k1 * b2 - k12 * b1) / determinant;
-    if (!(j1 >= 0) || !(j2 >= 0)) return false;
+    real j1, j2;
+    if (!solveBlock(k1, k2, k12, -b1, -b2, j1, j2)) return false;
 
-    applyAt(c, one.place, j1 * n, t);
-    applyAt(c, two.place, j2 * n, t);
-    const real f1 = frictionImpulse(c, one, j1, t);
-    const real f2 = frictionImpulse(c, two, j2, t);
+    if (j1 > 0) applyAt(c, one.place, j1 * n, t);
+    if (j2 > 0) applyAt(c, two.place, j2 * n, t);
+    const real f1 = j1 > 0 ? frictionImpulse(c, one, j1, t) : real(0);
+    const real f2 = j2 > 0 ? frictionImpulse(c, two, j2, t) : real(0);
     c.points[first].stepNormal += j1;
     c.points[first].stepTangent += f1;
     c.points[second].stepNormal += j2;
     c.points[second].stepTangent += f2;
-    record(c, one, j1, f1, t, restitution);
-    record(c, two, j2, f2, t, restitution);
+    if (j1 > 0) record(c, one, j1, f1, t, restitution);
+    if (j2 > 0) record(c, two, j2, f2, t, restitution);
     return true;
 }
 
@@ -328,13 +327,22 @@ bool ImpactSolver::process(std::size_t i)
 {
     Contact& c = contact(i);
     const Impact impacts[2] = {nextImpact(i, 0), nextImpact(i, 1)};
-    const int k = impacts[1].time < impacts[0].time ? 1 : 0;
-    if (impacts[k].time == kNever) return false;
+    const int first = impacts[1].time < impacts[0].time ? 1 : 0;
 
+    // The earlier point, or the other one if by its true motion the earlier does not close.
     const real earliest = maximum(flights_[c.rowA].clock, flights_[c.rowB].clock);
-    const real t = refined(c, c.points[k].anchor, impacts[k].time, earliest);
-    const Moment moment = momentAt(c, c.points[k].anchor, t);
-    if (!(dot(c.normal, moment.relative()) < 0)) return false;
+    int k = first;
+    real t = kNever;
+    Moment moment;
+    for (const int point : {first, 1 - first}) {
+        if (impacts[point].time == kNever) continue;
+        k = point;
+        t = refined(c, c.points[k].anchor, impacts[k].time, earliest);
+        moment = momentAt(c, c.points[k].anchor, t);
+        if (dot(c.normal, moment.relative()) < 0) break;
+        t = kNever;
+    }
+    if (t == kNever) return false;
 
     // A crowded tick ends plastic, so that it ends.
     ++c.impacts;

@@ -38,7 +38,7 @@ TEST(Far, AStackAMillionMetresOutStandsAsAtTheOrigin)
 
 // A scene `k` times as large: lengths, gravity, speeds and lengthUnit times k, times as they are. Masses are
 // kept by density / k^2. It has a stack, a ball that bounces, a box that slides to rest, a disc that rolls up
-// a slope and back, a flat landing and a spinning throw.
+// a slope and back, flat landings and a weightless spinner.
 class ScaledScene {
 public:
     explicit ScaledScene(double k) : k_(k), world_(definition(k))
@@ -48,22 +48,28 @@ public:
         for (int i = 0; i < 10; ++i)
             add(makeBox(length(1), length(1)), {0, 0.5 + 0.001 + i * 1.001}, {}, 0, 0);
         add(Circle{{}, length(0.4)}, {-5, 4}, {0.3, 0}, 0, 0.8);
-        add(makeBox(length(1), length(0.5)), {-20, 0.2505}, {5, 0}, 0, 0);
-        add(Circle{{}, length(0.5)}, {12, 0.501}, {4, 0}, -8, 0);
+        add(makeBox(length(1), length(0.5)), {-20, 0.2505}, {3, 0}, 0, 0);
+        add(Circle{{}, length(0.5)}, {20, 0.501}, {1.6, 0}, -3.2, 0);
         add(makeBox(length(1), length(1)), {-10, 2.5}, {}, 0, 0);
-        add(Capsule{scaled({-0.4, 0}), scaled({0.4, 0}), length(0.2)}, {-30, 1}, {1, 26}, 5, 0);
+        const Capsule capsule{scaled({-0.4, 0}), scaled({0.4, 0}), length(0.2)};
+        add(capsule, {-30, 1}, {1, 4}, 0, 0);
+        // Landing on an end is chaos: it makes errors 10^4 times as large, more than float has digits for.
+        if (kDouble) add(capsule, {-35, 1}, {1, 4}, 2, 0);
+        add(makeBox(length(0.6), length(0.4)), {-5, 12}, {-1, 0.5}, 3, 0);
+        bodies_.back().setGravityScale(0);
     }
 
     void step() { world_.step(); }
     std::size_t size() const { return bodies_.size(); }
 
-    // In lengths of the unit scene; the angle weighs as a length of 1 m.
+    // In lengths of the unit scene: how far the center, or a point half a metre from it by its turning, is
+    // away.
     double apart(const ScaledScene& other, std::size_t i) const
     {
         const Position p = bodies_[i].position(), q = other.bodies_[i].position();
         const DVec2 d{p.x / k_ - q.x / other.k_, p.y / k_ - q.y / other.k_};
         return std::max(tamias2d::length(d),
-                        std::abs(angleDifference(bodies_[i].angle(), other.bodies_[i].angle())));
+                        0.5 * std::abs(angleDifference(bodies_[i].angle(), other.bodies_[i].angle())));
     }
 
 private:
@@ -96,27 +102,40 @@ private:
     std::vector<Body> bodies_;
 };
 
+// Runs both for 5 s; the furthest each body ever is from its twin.
+std::vector<double> apartInFiveSeconds(double k)
+{
+    ScaledScene unit(1), scaled(k);
+    std::vector<double> apart(unit.size(), 0);
+    for (int i = 0; i < 300; ++i) {
+        unit.step();
+        scaled.step();
+        for (std::size_t b = 0; b < apart.size(); ++b)
+            apart[b] = std::max(apart[b], scaled.apart(unit, b));
+    }
+    return apart;
+}
+
 TEST(Scale, FromMillimetresToKilometresTheTrajectoriesAreTheSame)
 {
     TRACES("R1", "R5", "R6", "R8", "ADR15");
     for (const double k : {0.001, 0.01, 0.1, 10.0, 100.0, 1000.0}) {
-        ScaledScene unit(1), scaled(k);
-        std::vector<double> apart(unit.size(), 0);
-        for (int i = 0; i < 300; ++i) {
-            unit.step();
-            scaled.step();
-            for (std::size_t b = 0; b < apart.size(); ++b)
-                apart[b] = std::max(apart[b], scaled.apart(unit, b));
-        }
-        double worst = 0;
-        for (std::size_t b = 0; b < apart.size(); ++b) {
+        const std::vector<double> apart = apartInFiveSeconds(k);
+        for (std::size_t b = 0; b < apart.size(); ++b)
             EXPECT_LE(apart[b], kScaledApart) << "scale " << k << ", body " << b;
-            worst = std::max(worst, apart[b]);
-        }
         char what[32];
         std::snprintf(what, sizeof what, "apart_at_%g", k);
-        record(what, worst);
+        record(what, *std::max_element(apart.begin(), apart.end()));
     }
+}
+
+// Powers of two change no digit of any number, so nothing may differ unless a length is hidden in the code.
+TEST(Scale, ByPowersOfTwoNotOneBitOfATrajectoryChanges)
+{
+    TRACES("R1", "R5", "R6", "R8", "ADR15");
+    for (const double k : {1.0 / 1024, 0.5, 1024.0})
+        for (const double apart : apartInFiveSeconds(k))
+            EXPECT_EQ(apart, 0) << "scale " << k;
 }
 
 }  // namespace
