@@ -82,13 +82,14 @@ Vec2 relativeVelocity(const ContactPointRow& point, const Motion& a, const Motio
     return velocityAt(b, point.armB) - velocityAt(a, point.armA);
 }
 
-// An approach that only the next impact pass may stop: it is elastic, unloaded and fast. Not so once
-// the point is squeezed: left to impacts for ever it would sink.
+// What only impacts may stop: the elastic, unloaded, fast approach, and whatever an impact has just
+// settled in this tick. Not so once the point is squeezed: left to impacts for ever it would sink.
 bool isLeftToImpacts(const Contact& contact, const ContactPointRow& point, real normalSpeed, real threshold,
                      const StepContext& context)
 {
-    return contact.restitution > 0 && !point.wasLoaded && contact.impacts < context.tuning.impactsPerContact &&
-           point.gap > -contact.restGap / 2 && normalSpeed < -threshold;
+    if (point.wasLoaded || contact.impacts >= context.tuning.impactsPerContact || point.gap <= -contact.restGap / 2)
+        return false;
+    return contact.impacts > 0 || (contact.restitution > 0 && normalSpeed < -threshold);
 }
 
 // Normal speed the point may not fall below: it may close its gap within the tick and no more.
@@ -164,7 +165,8 @@ void solveRolling(Contact& contact, Motion& a, Motion& b)
 real solveContact(Contact& contact, Motion& a, Motion& b, const StepContext& context)
 {
     if (contact.count == 0 || !(contact.points[0].normalMass > 0)) return 0;
-    const bool resting = contact.restitution <= 0 || (contact.points[0].wasLoaded && contact.points[1].wasLoaded);
+    const bool resting = (contact.restitution <= 0 && contact.impacts == 0) ||
+                         (contact.points[0].wasLoaded && contact.points[1].wasLoaded);
 
     real change = 0;
     bool solved = false;

@@ -106,7 +106,7 @@ void updateForStep(Contact& contact, const ShapeTable& shapes, const MotionTable
     clamps.advancement += result.exhausted ? 1 : 0;
     adoptManifold(contact, result, real(0.3) * maximum(pair.a.size, pair.b.size));
     const bool inactive = contact.count == 0;
-    contact.swept = contact.atImpact || result.turning || (inactive && withinReach(pair, dt));
+    contact.swept = contact.atImpact || result.bends || (inactive && withinReach(pair, dt));
 }
 
 }  // namespace tamias2d::inline TAMIAS_PRECISION

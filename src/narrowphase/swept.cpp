@@ -270,9 +270,19 @@ SweptResult advance(const Sweep& s)
     return result;
 }
 
-}  // namespace
-
-namespace {
+// A manifold has one normal for all the sweep. How far does the true surface leave that plane: as a
+// corner runs on its arc, as a face turns under what slides along it, or as one rounding slides about
+// another?
+bool bendsAway(const Sweep& s, const Manifold& manifold)
+{
+    if (s.turning) return true;
+    const real along = absolute(cross(manifold.normal, s.slide));
+    const real turn = (s.pair.a.faces() > 0 ? s.turnA : 0) + (s.pair.b.faces() > 0 ? s.turnB : 0);
+    real bend = along * turn;
+    const bool corner = s.start.kind == Separation::Kind::Vertices || s.end.kind == Separation::Kind::Vertices;
+    if (corner && s.radii > 0) bend += along * along / (2 * s.radii);
+    return bend > s.pair.restGap / 2;
+}
 
 SweptResult settle(const Sweep& s)
 {
@@ -296,7 +306,7 @@ SweptResult collideSwept(const SweptPair& pair, real from, real to)
     // A gap can change no faster than the two move.
     if ((s.start.distance + s.end.distance - s.travel) / 2 > s.admit) return {};
     SweptResult result = settle(s);
-    result.turning = s.turning;
+    result.bends = result.near && bendsAway(s, result.manifold);
     return result;
 }
 

@@ -33,8 +33,8 @@ struct SweptPair {
 
 struct SweptResult {
     bool near = false;      ///< there is a manifold
-    bool turning = false;   ///< the shapes turn so far that the manifold holds for part of the way only
     bool exhausted = false; ///< the search for the time of impact ran out of iterations: taken as a hit
+    bool bends = false;     ///< the true way bends off the manifold's normal by more than counts as overlap
     Manifold manifold;
 };
 
