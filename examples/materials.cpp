@@ -24,8 +24,7 @@ int main()
         boxes[i].createShape({.geometry = makeBox(1, 1), .material = {.friction = frictions[i]}});
     }
 
-    for (int i = 0; i < 120; ++i)
-        world.step();
+    for (int i = 0; i < 120; ++i) world.step();
     for (int i = 0; i < 3; ++i) {
         std::printf("friction %.1f: %.2f m/s after 2 s\n", static_cast<double>(frictions[i]),
                     static_cast<double>(length(boxes[i].linearVelocity())));

@@ -16,8 +16,7 @@ int main()
 
     for (int second = 1; second <= 6; ++second) {
         if (second == 4) rocket.setForce(thrust, {});  // burnt out
-        for (int i = 0; i < 60; ++i)
-            world.step();
+        for (int i = 0; i < 60; ++i) world.step();
         const Position at = rocket.position();
         std::printf("%d s: (%.1f, %.1f) m, %.1f m/s\n", second, at.x, at.y,
                     static_cast<double>(length(rocket.linearVelocity())));

@@ -34,12 +34,14 @@ void sweepPairs(std::vector<SweepBox>& boxes, std::vector<ShapePair>& pairs)
     std::size_t firstOther = 0;
     for (std::size_t i = 0; i < movers.size(); ++i) {
         pairWithFollowing(movers[i], movers, i + 1, pairs);
-        while (firstOther < others.size() && others[firstOther].box.lower.x < movers[i].box.lower.x) ++firstOther;
+        while (firstOther < others.size() && others[firstOther].box.lower.x < movers[i].box.lower.x)
+            ++firstOther;
         pairWithFollowing(movers[i], others, firstOther, pairs);
     }
     std::size_t firstMover = 0;
     for (const SweepBox& other : others) {
-        while (firstMover < movers.size() && movers[firstMover].box.lower.x <= other.box.lower.x) ++firstMover;
+        while (firstMover < movers.size() && movers[firstMover].box.lower.x <= other.box.lower.x)
+            ++firstMover;
         pairWithFollowing(other, movers, firstMover, pairs);
     }
     std::sort(pairs.begin(), pairs.end());

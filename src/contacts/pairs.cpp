@@ -29,11 +29,12 @@ void refresh(const ContactWorld& world, Contact& contact)
     contact.radiusA = a.convex.radius;
     contact.radiusB = b.convex.radius;
     contact.restGap = restGapOf(world, a, b);
-    contact.friction = mixed(ma.friction, mb.friction, ma.frictionMixing, mb.frictionMixing, world.frictionRule);
+    contact.friction =
+        mixed(ma.friction, mb.friction, ma.frictionMixing, mb.frictionMixing, world.frictionRule);
     contact.restitution = mixed(ma.restitution, mb.restitution, ma.restitutionMixing, mb.restitutionMixing,
                                 world.restitutionRule);
-    contact.rolling = maximum(ma.rollingResistance, mb.rollingResistance) *
-                      maximum(contact.radiusA, contact.radiusB);
+    contact.rolling =
+        maximum(ma.rollingResistance, mb.rollingResistance) * maximum(contact.radiusA, contact.radiusB);
     // Both surfaces run counter-clockwise: A's along the tangent here, B's against it.
     contact.surfaceSpeed = -(ma.surfaceSpeed + mb.surfaceSpeed);
 }
@@ -64,8 +65,8 @@ Contact makeContact(const ContactWorld& world, const ShapePair& pair)
     return contact;
 }
 
-void matchPairs(const ContactWorld& world, const std::vector<ShapePair>& pairs, std::vector<Contact>& contacts,
-                const std::function<void(const Contact&)>& onLeave)
+void matchPairs(const ContactWorld& world, const std::vector<ShapePair>& pairs,
+                std::vector<Contact>& contacts, const std::function<void(const Contact&)>& onLeave)
 {
     std::vector<Contact> matched;
     matched.reserve(pairs.size());

@@ -28,7 +28,7 @@ Contact makeContact(const ContactWorld& world, const ShapePair& pair);
 
 /// Brings the contacts in line with the sorted pairs: old ones keep all they carry, new ones start
 /// empty, those without a pair leave; `onLeave` hears of each that leaves.
-void matchPairs(const ContactWorld& world, const std::vector<ShapePair>& pairs, std::vector<Contact>& contacts,
-                const std::function<void(const Contact&)>& onLeave);
+void matchPairs(const ContactWorld& world, const std::vector<ShapePair>& pairs,
+                std::vector<Contact>& contacts, const std::function<void(const Contact&)>& onLeave);
 
 }  // namespace tamias2d::inline TAMIAS_PRECISION

@@ -5,8 +5,8 @@
 
 namespace tamias2d::inline TAMIAS_PRECISION {
 
-// The deceleration -c v of damping holds for times well below 1/c only. Held at what takes all speed away in a
-// tick, it leaves the path of a strongly damped body longer than it is, rather than backwards without end.
+// The deceleration -c v of damping holds for times well below 1/c only. Held at what takes all speed away in
+// a tick, it leaves the path of a strongly damped body longer than it is, rather than backwards without end.
 Vec2 expectedAcceleration(const Motion& m, real invH)
 {
     return m.acceleration - minimum(m.damping.rate, invH) * m.velocity + invH * m.steady;
@@ -39,8 +39,8 @@ SweptPair sweptPairOf(const Contact& contact, const ShapeTable& shapes, const Mo
                       real invH)
 {
     const Position origin = a.extent <= b.extent ? a.center : b.center;
-    return {shapes.rows[contact.shapeA].convex, shapes.rows[contact.shapeB].convex, predictedPath(a, origin, invH),
-            predictedPath(b, origin, invH), contact.restGap};
+    return {shapes.rows[contact.shapeA].convex, shapes.rows[contact.shapeB].convex,
+            predictedPath(a, origin, invH), predictedPath(b, origin, invH), contact.restGap};
 }
 
 void adoptManifold(Contact& contact, const SweptResult& result, real matchDistance)
@@ -68,7 +68,8 @@ void adoptManifold(Contact& contact, const SweptResult& result, real matchDistan
     };
     for (int i = 0; i < count; ++i)
         for (int k = 0; k < 2; ++k)
-            if (!found[i] && !taken[k] && old[k].anchor.feature == contact.points[i].anchor.feature) carry(i, k);
+            if (!found[i] && !taken[k] && old[k].anchor.feature == contact.points[i].anchor.feature)
+                carry(i, k);
     for (int i = 0; i < count; ++i) {
         int nearest = -1;
         real least = matchDistance;

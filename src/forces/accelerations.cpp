@@ -11,8 +11,13 @@ Vec2 gravityOn(const BodyRow& body, Vec2 worldGravity)
 
 BodyView viewOf(const BodyRow& body, BodyId id, Position center, double angle, Vec2 velocity, real spin)
 {
-    return {id,           center, wrapAngle(angle), toDVec2(velocity), static_cast<double>(spin),
-            static_cast<double>(body.mass), static_cast<double>(body.inertia)};
+    return {id,
+            center,
+            wrapAngle(angle),
+            toDVec2(velocity),
+            static_cast<double>(spin),
+            static_cast<double>(body.mass),
+            static_cast<double>(body.inertia)};
 }
 
 // The law's answer; nothing, and a fault, if it throws or is no number.
@@ -81,7 +86,8 @@ void addLaw(const PlacedLaw& placed, Motion& m, const BodyTable& bodies, double 
 }
 
 // What is more takes the body to its greatest speed within the step, where the report counts it, but would
-// first send the search for pairs along a path as long as the world, and its infinities into every body there.
+// first send the search for pairs along a path as long as the world, and its infinities into every body
+// there.
 real limited(real acceleration, double most)
 {
     if (std::isnan(acceleration)) return 0;  // of two infinite forces against each other
@@ -134,7 +140,8 @@ double potentialEnergy(const BodyRow& body, BodyId id, const ForceField& field, 
     if (!body.isDynamic()) return 0;
     const Vec2 g = gravityOn(body, field.gravity);
     const double mass = static_cast<double>(body.mass);
-    double sum = -mass * (static_cast<double>(g.x) * body.center.x + static_cast<double>(g.y) * body.center.y);
+    double sum =
+        -mass * (static_cast<double>(g.x) * body.center.x + static_cast<double>(g.y) * body.center.y);
     for (const PlacedLaw& placed : field.laws) {
         if (!placed.law.potential || (!placed.body.isNull() && placed.body != id)) continue;
         const BodyView view = viewOf(body, id, body.center, body.angle, body.velocity, body.spin);

@@ -32,8 +32,7 @@ Parameter place(std::string_view name, Position p)
 std::string jsonOf(std::string_view law, std::initializer_list<Parameter> parameters)
 {
     std::string text = "{\"law\":\"" + std::string(law) + '"';
-    for (const Parameter& p : parameters)
-        text += ",\"" + std::string(p.name) + "\":" + p.json;
+    for (const Parameter& p : parameters) text += ",\"" + std::string(p.name) + "\":" + p.json;
     return text + "}";
 }
 

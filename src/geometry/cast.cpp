@@ -95,8 +95,7 @@ void offerLine(Nearest& nearest, const Ray& ray, DVec2 a, DVec2 b) noexcept
     offerEdge(nearest, ray, a, b, 0);
     offerEdge(nearest, ray, b, a, 0);
     if (cross(b - a, ray.direction) != 0 || cross(b - a, ray.from - a) != 0) return;
-    for (const DVec2 end : {a, b})
-        nearest.offer(dot(end - ray.from, ray.direction), -ray.direction, ray);
+    for (const DVec2 end : {a, b}) nearest.offer(dot(end - ray.from, ray.direction), -ray.direction, ray);
 }
 
 // The corners of the shape's core as seen from the middle of a box.

@@ -10,8 +10,7 @@ Core withPoints(std::span<const Vec2> points, real radius) noexcept
 {
     Core core;
     core.radius = static_cast<double>(radius);
-    for (const Vec2 p : points)
-        core.points[static_cast<std::size_t>(core.count++)] = toDVec2(p);
+    for (const Vec2 p : points) core.points[static_cast<std::size_t>(core.count++)] = toDVec2(p);
     return core;
 }
 

@@ -23,8 +23,7 @@ double turn(Vec2 a, Vec2 b, Vec2 c) noexcept
 // The first `fixed` points of `hull` belong to a finished chain and stay.
 void extendChain(std::vector<Vec2>& hull, std::size_t fixed, Vec2 point)
 {
-    while (hull.size() > fixed && turn(hull[hull.size() - 2], hull.back(), point) <= 0)
-        hull.pop_back();
+    while (hull.size() > fixed && turn(hull[hull.size() - 2], hull.back(), point) <= 0) hull.pop_back();
     hull.push_back(point);
 }
 
@@ -46,11 +45,9 @@ std::vector<Vec2> convexHull(std::span<const Vec2> points)
 
     std::vector<Vec2> hull;
     hull.reserve(sorted.size() + 1);
-    for (const Vec2 p : sorted)
-        extendChain(hull, 1, p);  // the lower side, left to right
+    for (const Vec2 p : sorted) extendChain(hull, 1, p);  // the lower side, left to right
     const std::size_t fixed = hull.size();
-    for (auto p = sorted.rbegin() + 1; p != sorted.rend(); ++p)
-        extendChain(hull, fixed, *p);
+    for (auto p = sorted.rbegin() + 1; p != sorted.rend(); ++p) extendChain(hull, fixed, *p);
     hull.pop_back();  // the first point, reached again
     return hull;
 }

@@ -87,8 +87,7 @@ Moments momentsOf(const Core& core, DVec2 origin) noexcept
 DVec2 meanPoint(const Core& core) noexcept
 {
     DVec2 sum;
-    for (int i = 0; i < core.count; ++i)
-        sum += core.at(i);
+    for (int i = 0; i < core.count; ++i) sum += core.at(i);
     return (1.0 / core.count) * sum;
 }
 

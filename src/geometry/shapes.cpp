@@ -25,8 +25,7 @@ Polygon polygonOf(std::span<const Vec2> corners, real radius)
 {
     Polygon polygon;
     polygon.radius = radius;
-    for (const Vec2 p : corners)
-        polygon.vertices[static_cast<std::size_t>(polygon.count++)] = p;
+    for (const Vec2 p : corners) polygon.vertices[static_cast<std::size_t>(polygon.count++)] = p;
     return polygon;
 }
 

@@ -134,8 +134,7 @@ Complaint CheckShape::thickness(std::span<const Vec2> points) const
         const DVec2 from = toDVec2(points[i]);
         const DVec2 edge = toDVec2(points[(i + 1) % points.size()]) - from;
         double height = 0;
-        for (const Vec2 p : points)
-            height = maximum(height, cross(edge, toDVec2(p) - from) / length(edge));
+        for (const Vec2 p : points) height = maximum(height, cross(edge, toDVec2(p) - from) / length(edge));
         thinnest = minimum(thinnest, height);
     }
     if (thinnest >= minSize) return std::nullopt;
@@ -160,8 +159,7 @@ std::string textOf(std::span<const Vec2> points)
 {
     if (points.size() > kMaxPolygonVertices) return textOf(points.size()) + " points";
     std::string text = "[";
-    for (const Vec2 p : points)
-        text += (text.size() > 1 ? ", " : "") + textOf(p);
+    for (const Vec2 p : points) text += (text.size() > 1 ? ", " : "") + textOf(p);
     return text + "]";
 }
 

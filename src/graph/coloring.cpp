@@ -16,7 +16,8 @@ void colorConstraints(const std::vector<RowPair>& constraints, const std::vector
     for (std::size_t i = 0; i < constraints.size(); ++i) {
         const auto [a, b] = constraints[i];
         const std::uint64_t taken = (movable[a] ? used[a] : 0) | (movable[b] ? used[b] : 0);
-        const auto color = static_cast<std::uint32_t>(std::countr_one(taken & ~(std::uint64_t{1} << (kColors - 1))));
+        const auto color =
+            static_cast<std::uint32_t>(std::countr_one(taken & ~(std::uint64_t{1} << (kColors - 1))));
         const std::uint64_t bit = std::uint64_t{1} << color;
         used[a] |= bit;
         used[b] |= bit;

@@ -58,6 +58,9 @@ inline real compliance(const Motion& m, Vec2 arm, Vec2 n)
     return m.invMass.x * n.x * n.x + m.invMass.y * n.y * n.y + m.invInertia * turn * turn;
 }
 
-inline Vec2 velocityAt(const Motion& m, Vec2 arm) { return m.velocity + cross(m.spin, arm); }
+inline Vec2 velocityAt(const Motion& m, Vec2 arm)
+{
+    return m.velocity + cross(m.spin, arm);
+}
 
 }  // namespace tamias2d::inline TAMIAS_PRECISION

@@ -22,7 +22,8 @@ struct StepContext {
     real calmSpeed() const { return tuning.calmSpeed * lengthUnit; }
 };
 
-inline StepContext makeStepContext(const Tuning& tuning, real lengthUnit, double time, double dt, int substeps)
+inline StepContext makeStepContext(const Tuning& tuning, real lengthUnit, double time, double dt,
+                                   int substeps)
 {
     StepContext context;
     context.time = time;

@@ -79,8 +79,8 @@ struct Sweep {
 
     bool byFace(bool atEnd, const FaceQuery& axis, bool force, SweptResult& result) const
     {
-        result.near = faceManifold(pair.a, atEnd ? a1 : a0, pair.b, atEnd ? b1 : b0, axis.onA, axis.face, force,
-                                   result.manifold);
+        result.near = faceManifold(pair.a, atEnd ? a1 : a0, pair.b, atEnd ? b1 : b0, axis.onA, axis.face,
+                                   force, result.manifold);
         result.manifold.time = from;
         return result.near;
     }
@@ -101,7 +101,8 @@ SweptFace bestFaceOverSweep(const Sweep& s)
     SweptFace best{{-std::numeric_limits<real>::max(), true, 0}, -std::numeric_limits<real>::max(), false};
     const auto consider = [&](bool onA, int face, Vec2 normal, real first, real last) {
         const real least = minimum(first, last) - s.radii;
-        const real score = least > s.deep ? least - minimum(absolute(dot(normal, s.slide)), s.pair.restGap) : least;
+        const real score =
+            least > s.deep ? least - minimum(absolute(dot(normal, s.slide)), s.pair.restGap) : least;
         const bool handicap = !onA && best.axis.onA && a0.faces() > 0;
         if (score > best.score + (handicap ? s.preference() : real(0)))
             best = {{least, onA, face}, score, last <= first + s.preference()};
@@ -247,8 +248,10 @@ SweptResult advance(const Sweep& s)
         if (s.sharp) {
             SweptResult result;
             const Pose poseA = s.pair.pathA.at(t), poseB = s.pair.pathB.at(t);
-            const FaceQuery axis = bestFace(PlacedCore(s.pair.a, poseA), PlacedCore(s.pair.b, poseB), s.preference());
-            result.near = faceManifold(s.pair.a, poseA, s.pair.b, poseB, axis.onA, axis.face, false, result.manifold);
+            const FaceQuery axis =
+                bestFace(PlacedCore(s.pair.a, poseA), PlacedCore(s.pair.b, poseB), s.preference());
+            result.near =
+                faceManifold(s.pair.a, poseA, s.pair.b, poseB, axis.onA, axis.face, false, result.manifold);
             result.manifold.time = t;
             return result;
         }
@@ -279,7 +282,8 @@ bool bendsAway(const Sweep& s, const Manifold& manifold)
     const real along = absolute(cross(manifold.normal, s.slide));
     const real turn = (s.pair.a.faces() > 0 ? s.turnA : 0) + (s.pair.b.faces() > 0 ? s.turnB : 0);
     real bend = along * turn;
-    const bool corner = s.start.kind == Separation::Kind::Vertices || s.end.kind == Separation::Kind::Vertices;
+    const bool corner =
+        s.start.kind == Separation::Kind::Vertices || s.end.kind == Separation::Kind::Vertices;
     if (corner && s.radii > 0) bend += along * along / (2 * s.radii);
     return bend > s.pair.restGap / 2;
 }
@@ -310,7 +314,8 @@ SweptResult collideSwept(const SweptPair& pair, real from, real to)
     return result;
 }
 
-Aabb sweptBounds(const Convex& shape, const Trajectory& path, Position origin, real from, real to, real margin)
+Aabb sweptBounds(const Convex& shape, const Trajectory& path, Position origin, real from, real to,
+                 real margin)
 {
     // The chord between two poses holds all but the sagitta of the turn and of the parabola.
     const real span = to - from;

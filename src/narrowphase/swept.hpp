@@ -34,7 +34,7 @@ struct SweptPair {
 struct SweptResult {
     bool near = false;      ///< there is a manifold
     bool exhausted = false; ///< the search for the time of impact ran out of iterations: taken as a hit
-    bool bends = false;     ///< the true way bends off the manifold's normal by more than counts as overlap
+    bool bends = false;  ///< the true way bends off the manifold's normal by more than counts as overlap
     Manifold manifold;
 };
 
@@ -44,7 +44,8 @@ struct SweptResult {
 SweptResult collideSwept(const SweptPair& pair, real from, real to);
 
 /// A box that holds the shape all the way between two times, seen from `origin`, grown by `margin`.
-Aabb sweptBounds(const Convex& shape, const Trajectory& path, Position origin, real from, real to, real margin);
+Aabb sweptBounds(const Convex& shape, const Trajectory& path, Position origin, real from, real to,
+                 real margin);
 
 /// Gap between the surfaces at a time on the way; < 0 is overlap.   [m]
 real gapAt(const SweptPair& pair, real t);

@@ -9,7 +9,10 @@
 namespace tamias2d::inline TAMIAS_PRECISION {
 namespace {
 
-DVec2 rotated(const SinCos& q, DVec2 v) { return {q.cos * v.x - q.sin * v.y, q.sin * v.x + q.cos * v.y}; }
+DVec2 rotated(const SinCos& q, DVec2 v)
+{
+    return {q.cos * v.x - q.sin * v.y, q.sin * v.x + q.cos * v.y};
+}
 
 template <class Visit>
 void eachShape(const SearchSpace& space, Visit visit)
@@ -62,14 +65,16 @@ std::vector<ShapeId> shapesIn(const SearchSpace& space, const Aabb& box)
     std::vector<ShapeId> found;
     eachShape(space, [&](std::uint32_t slot, const BodyRow& body, const ShapeRow& shape) {
         const ShapeFrame frame = frameOf(body, shape);
-        if (overlapsBox(shape.def.geometry, frame.origin, frame.rotation, box)) found.push_back(space.shapes.ids.id(slot));
+        if (overlapsBox(shape.def.geometry, frame.origin, frame.rotation, box))
+            found.push_back(space.shapes.ids.id(slot));
     });
     return found;
 }
 
 std::vector<RayHit> shapesAlong(const SearchSpace& space, Position from, Position to)
 {
-    const Aabb way{{minimum(from.x, to.x), minimum(from.y, to.y)}, {maximum(from.x, to.x), maximum(from.y, to.y)}};
+    const Aabb way{{minimum(from.x, to.x), minimum(from.y, to.y)},
+                   {maximum(from.x, to.x), maximum(from.y, to.y)}};
     std::vector<RayHit> hits;
     eachShape(space, [&](std::uint32_t slot, const BodyRow& body, const ShapeRow& shape) {
         if (!overlaps(way, boundsOf(body, shape))) return;

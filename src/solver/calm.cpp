@@ -25,13 +25,22 @@ struct FreeIsland {
     double lostSpin = 0;         // angular momentum about the center
 };
 
-double massOf(const Motion& m) { return 1 / static_cast<double>(maximum(m.invMass.x, m.invMass.y)); }
-double inertiaOf(const Motion& m) { return m.invInertia > 0 ? 1 / static_cast<double>(m.invInertia) : 0; }
-bool hasLockedAxis(const Motion& m) { return !(m.invMass.x > 0 && m.invMass.y > 0); }
+double massOf(const Motion& m)
+{
+    return 1 / static_cast<double>(maximum(m.invMass.x, m.invMass.y));
+}
+double inertiaOf(const Motion& m)
+{
+    return m.invInertia > 0 ? 1 / static_cast<double>(m.invInertia) : 0;
+}
+bool hasLockedAxis(const Motion& m)
+{
+    return !(m.invMass.x > 0 && m.invMass.y > 0);
+}
 
 // Mass-weighted rigid motion of each island without a ground.
-std::vector<FreeIsland> measureFreeIslands(const std::vector<Motion>& rows, const std::vector<TickChange>& changes,
-                                           const Islands& islands)
+std::vector<FreeIsland> measureFreeIslands(const std::vector<Motion>& rows,
+                                           const std::vector<TickChange>& changes, const Islands& islands)
 {
     std::vector<FreeIsland> free(islands.count());
     const auto each = [&](auto&& visit) {
@@ -63,8 +72,9 @@ std::vector<FreeIsland> measureFreeIslands(const std::vector<Motion>& rows, cons
         island.inertia += mass * static_cast<double>(dot(r, r)) + inertia;
         island.motion.spin += static_cast<real>(mass) * cross(r, m.velocity - island.motion.velocity) +
                               static_cast<real>(inertia) * m.spin;
-        island.motion.spinChange += static_cast<real>(mass) * cross(r, change.velocity - island.motion.change) +
-                                    static_cast<real>(inertia) * change.spin;
+        island.motion.spinChange +=
+            static_cast<real>(mass) * cross(r, change.velocity - island.motion.change) +
+            static_cast<real>(inertia) * change.spin;
     });
     for (FreeIsland& island : free) {
         if (!(island.inertia > 0)) continue;
@@ -93,7 +103,8 @@ void calm(std::vector<Motion>& rows, const std::vector<TickChange>& changes, con
     bool anyFree = false;
     for (std::size_t i = 0; i < rows.size(); ++i) {
         const std::uint32_t island = islands.islandOf[i];
-        if (rows[i].loaded && island != Islands::kNone && islands.groundOf[island] == Islands::kNone) anyFree = true;
+        if (rows[i].loaded && island != Islands::kNone && islands.groundOf[island] == Islands::kNone)
+            anyFree = true;
     }
     std::vector<FreeIsland> free;
     if (anyFree) free = measureFreeIslands(rows, changes, islands);
@@ -101,7 +112,8 @@ void calm(std::vector<Motion>& rows, const std::vector<TickChange>& changes, con
     for (std::size_t i = 0; i < rows.size(); ++i) {
         Motion& m = rows[i];
         const std::uint32_t island = islands.islandOf[i];
-        if (!m.loaded || island == Islands::kNone || islands.sizeOf[island] < 2) continue;  // a lone body is calm
+        if (!m.loaded || island == Islands::kNone || islands.sizeOf[island] < 2)
+            continue;  // a lone body is calm
         const std::uint32_t ground = islands.groundOf[island];
         if (ground == Islands::kSeveral) continue;  // no one motion to come to rest against
         const bool isFree = ground == Islands::kNone;
@@ -124,8 +136,8 @@ void calm(std::vector<Motion>& rows, const std::vector<TickChange>& changes, con
         if (m.invInertia > 0) m.spin -= part * w;
         if (!isFree) continue;
         free[island].lost += mass * static_cast<double>(part) * toDVec2(u);
-        free[island].lostSpin +=
-            static_cast<double>(part) * (mass * static_cast<double>(cross(r, u)) + inertia * static_cast<double>(w));
+        free[island].lostSpin += static_cast<double>(part) *
+                                 (mass * static_cast<double>(cross(r, u)) + inertia * static_cast<double>(w));
     }
 
     // What an island without a ground lost comes back as a rigid motion of the whole.
@@ -133,7 +145,8 @@ void calm(std::vector<Motion>& rows, const std::vector<TickChange>& changes, con
     for (std::size_t i = 0; i < rows.size(); ++i) {
         Motion& m = rows[i];
         const std::uint32_t island = islands.islandOf[i];
-        if (island == Islands::kNone || islands.groundOf[island] != Islands::kNone || hasLockedAxis(m)) continue;
+        if (island == Islands::kNone || islands.groundOf[island] != Islands::kNone || hasLockedAxis(m))
+            continue;
         const FreeIsland& f = free[island];
         if (!(f.mass > 0) || !(f.inertia > 0)) continue;
         const Vec2 r = toVec2(m.center - f.motion.center);

@@ -35,8 +35,8 @@ void remember(BodyRow& b)
 
 }  // namespace
 
-FinalCounts finalize(MotionTable& motions, ContactTable& contacts, const ShapeTable& shapes, BodyTable& bodies,
-                     const StepContext& context)
+FinalCounts finalize(MotionTable& motions, ContactTable& contacts, const ShapeTable& shapes,
+                     BodyTable& bodies, const StepContext& context)
 {
     FinalCounts counts;
     for (BodyRow& b : bodies.rows) remember(b);

@@ -17,8 +17,8 @@ struct FinalCounts {
 
 /// Writes the solved state back to the bodies and measures the contacts where they are now. A body
 /// whose state is no number is put back where it was, at rest and disabled.
-FinalCounts finalize(MotionTable& motions, ContactTable& contacts, const ShapeTable& shapes, BodyTable& bodies,
-                     const StepContext& context);
+FinalCounts finalize(MotionTable& motions, ContactTable& contacts, const ShapeTable& shapes,
+                     BodyTable& bodies, const StepContext& context);
 
 /// Does some point of the contact count as touching? Gaps must be those of the present poses.
 bool isTouching(const Contact& contact, const Tuning& tuning);

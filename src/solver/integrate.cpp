@@ -23,7 +23,8 @@ Damping makeDamping(real rate, real h)
     const double keep = exponential(-minimum(x, 30.0));
     damping.keep = static_cast<real>(keep);
     if (x < 0.05) {  // series, as the closed forms cancel
-        damping.kickTime = static_cast<real>(step / 2 * (1 - x / 2 * (1 - x / 3 * (1 - x / 4 * (1 - x / 5 * (1 - x / 6))))));
+        damping.kickTime =
+            static_cast<real>(step / 2 * (1 - x / 2 * (1 - x / 3 * (1 - x / 4 * (1 - x / 5 * (1 - x / 6))))));
         const double x2 = x * x;
         const double beyond = x2 / 6 * (1 + x2 / 20 * (1 + x2 / 42));  // sinh(x)/x - 1
         damping.driftTime = static_cast<real>(step * (1 + beyond));

@@ -5,7 +5,6 @@
 #include "islands/links.hpp"
 #include "solver/impacts.hpp"
 
-
 namespace tamias2d::inline TAMIAS_PRECISION {
 
 /// What the solver reads and moves.

@@ -29,7 +29,10 @@ Complaint checkImpulse(const T& impulse, Vec2 velocity, real spin, real lengthUn
 
 }  // namespace
 
-bool Body::isAlive() const noexcept { return world_ != nullptr && world_->impl_->bodies.ids.owns(id_); }
+bool Body::isAlive() const noexcept
+{
+    return world_ != nullptr && world_->impl_->bodies.ids.owns(id_);
+}
 
 World* Body::alive() const
 {
@@ -39,8 +42,8 @@ World* Body::alive() const
 }
 
 // The row, or a fresh one that nobody keeps when a dead handle was let pass by the error handler.
-#define TAMIAS_BODY_ROW(name)                                                                                        \
-    World* const w = alive();                                                                                        \
+#define TAMIAS_BODY_ROW(name)                                                                                \
+    World* const w = alive();                                                                                \
     BodyRow& name = w ? w->impl_->row(id_) : deadBodyRow()
 
 BodyDef Body::definition() const
@@ -76,7 +79,8 @@ void Body::setType(BodyType type)
 {
     TAMIAS_BODY_ROW(b);
     const auto number = static_cast<int>(type);
-    if (refuse(checkThat(number >= 0 && number <= 2, "type", number, "must be Static, Kinematic or Dynamic"))) return;
+    if (refuse(checkThat(number >= 0 && number <= 2, "type", number, "must be Static, Kinematic or Dynamic")))
+        return;
     b.type = type;
     if (type != BodyType::Static) return;
     b.velocity = {};
@@ -169,7 +173,11 @@ void Body::setTransform(Position position, double angle)
 {
     TAMIAS_BODY_ROW(b);
     const real unit = w ? w->impl_->settings.lengthUnit : real(1);
-    if (Checks().add(checkPosition("position", position, unit)).finite("angle", angle, "must be finite rad").refuse()) return;
+    if (Checks()
+            .add(checkPosition("position", position, unit))
+            .finite("angle", angle, "must be finite rad")
+            .refuse())
+        return;
     b.angle = wrapAngle(angle);
     b.rotation = Rot::ofAngle(b.angle);
     b.center = position + toDVec2(rotate(b.rotation, b.localCenter));
@@ -251,7 +259,8 @@ void Body::applyForce(Vec2 force, Position at)
 {
     TAMIAS_BODY_ROW(b);
     const real unit = w ? w->impl_->settings.lengthUnit : real(1);
-    if (Checks().finite("force", force, "must be finite N").add(checkPosition("at", at, unit)).refuse()) return;
+    if (Checks().finite("force", force, "must be finite N").add(checkPosition("at", at, unit)).refuse())
+        return;
     b.stepForce += force;
     b.stepTorque += cross(toVec2(at - b.center), force);
 }
@@ -274,7 +283,8 @@ void Body::applyImpulse(Vec2 impulse, Position at)
 {
     TAMIAS_BODY_ROW(b);
     const real unit = w ? w->impl_->settings.lengthUnit : real(1);
-    if (Checks().finite("impulse", impulse, "must be finite N*s").add(checkPosition("at", at, unit)).refuse()) return;
+    if (Checks().finite("impulse", impulse, "must be finite N*s").add(checkPosition("at", at, unit)).refuse())
+        return;
     const Vec2 velocity = velocityAfter(b, impulse);
     const real spin = b.spin + b.invInertia() * cross(toVec2(at - b.center), impulse);
     if (refuse(checkImpulse(impulse, velocity, spin, unit))) return;
@@ -325,7 +335,8 @@ std::span<const LastingForce> Body::lastingForces() const
 void Body::setForce(std::size_t place, const LastingForce& force)
 {
     TAMIAS_BODY_ROW(b);
-    if (refuse(checkThat(place < b.lasting.size(), "place", place, "must be one that addForce returned"))) return;
+    if (refuse(checkThat(place < b.lasting.size(), "place", place, "must be one that addForce returned")))
+        return;
     if (!w || refuse(check(force, w->impl_->settings.lengthUnit))) return;
     b.lasting[place] = force;
 }

@@ -110,7 +110,8 @@ void World::Impl::updateMass(std::uint32_t slot)
         for (const std::uint32_t s : b.shapes) {
             const ShapeDef& def = shapes.rows[s].def;
             const MassProperties part = massProperties(def.geometry, def.density);
-            const DVec2 center = toDVec2(def.offset + rotate(Rot::ofAngle(wrapAngle(def.angle)), part.center));
+            const DVec2 center =
+                toDVec2(def.offset + rotate(Rot::ofAngle(wrapAngle(def.angle)), part.center));
             const double m = static_cast<double>(part.mass);
             mass += m;
             weighted += m * center;

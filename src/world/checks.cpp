@@ -27,8 +27,8 @@ bool refuse(const Complaint& complaint)
 Complaint checkPosition(std::string_view field, Position position, real lengthUnit)
 {
     const double most = kMaxPosition * static_cast<double>(lengthUnit);
-    return checkThat(isFiniteValue(position) && absolute(position.x) <= most && absolute(position.y) <= most, field,
-                     position, "must be finite, each coordinate within +-" + bound(most, "m"));
+    return checkThat(isFiniteValue(position) && absolute(position.x) <= most && absolute(position.y) <= most,
+                     field, position, "must be finite, each coordinate within +-" + bound(most, "m"));
 }
 
 Complaint checkVelocity(std::string_view field, Vec2 velocity, real lengthUnit)
@@ -47,7 +47,8 @@ Complaint checkSpin(std::string_view field, real spin)
 Complaint checkMixingRule(std::string_view field, MixingRule rule, bool worldAllowed)
 {
     const auto number = static_cast<int>(rule);
-    return checkThat(number >= (worldAllowed ? 0 : 1) && number <= static_cast<int>(MixingRule::Maximum), field, number,
+    return checkThat(number >= (worldAllowed ? 0 : 1) && number <= static_cast<int>(MixingRule::Maximum),
+                     field, number,
                      worldAllowed ? "must be one of MixingRule" : "must be one of MixingRule, and not World");
 }
 
@@ -88,7 +89,8 @@ Complaint check(const Material& m)
         .range("Material.friction", m.friction, 0, 1e6, "must be in [0, 1e6]")
         .range("Material.restitution", m.restitution, 0, 1, "must be in [0, 1]")
         .range("Material.rollingResistance", m.rollingResistance, 0, 1e6, "must be in [0, 1e6]")
-        .range("Material.surfaceSpeed", m.surfaceSpeed, -kMaxSpeed, kMaxSpeed, "must be finite and within +-1e6 m/s")
+        .range("Material.surfaceSpeed", m.surfaceSpeed, -kMaxSpeed, kMaxSpeed,
+               "must be finite and within +-1e6 m/s")
         .add(checkMixingRule("Material.frictionMixing", m.frictionMixing, true))
         .add(checkMixingRule("Material.restitutionMixing", m.restitutionMixing, true))
         .first();
@@ -101,8 +103,8 @@ Complaint check(const MassProperties& m, real lengthUnit)
         .range("MassProperties.mass", m.mass, kTiny, kHuge, "must be finite and > 0 kg")
         .that(isFiniteValue(m.center) && length(toDVec2(m.center)) <= most, "MassProperties.center", m.center,
               "must be finite and within " + bound(most, "m") + " of the origin")
-        .that(m.inertia == 0 || (m.inertia >= real(kTiny) && m.inertia <= real(kHuge)), "MassProperties.inertia", m.inertia,
-              "must be finite and >= 0 kg*m^2")
+        .that(m.inertia == 0 || (m.inertia >= real(kTiny) && m.inertia <= real(kHuge)),
+              "MassProperties.inertia", m.inertia, "must be finite and >= 0 kg*m^2")
         .first();
 }
 
@@ -128,8 +130,8 @@ Complaint check(const ShapeDef& def, real lengthUnit)
     const double unit = static_cast<double>(lengthUnit);
     return Checks()
         .add(checkGeometry("ShapeDef.geometry", def.geometry, kMinSize * unit, kMaxSize * unit))
-        .that(isFiniteValue(def.offset) && length(toDVec2(def.offset)) <= kMaxSize * unit, "ShapeDef.offset", def.offset,
-              "must be finite, its length at most " + bound(kMaxSize * unit, "m"))
+        .that(isFiniteValue(def.offset) && length(toDVec2(def.offset)) <= kMaxSize * unit, "ShapeDef.offset",
+              def.offset, "must be finite, its length at most " + bound(kMaxSize * unit, "m"))
         .finite("ShapeDef.angle", def.angle, "must be finite rad")
         .range("ShapeDef.density", def.density, 0, kHuge, "must be finite and >= 0 kg/m^2")
         .add(check(def.material))

@@ -46,7 +46,13 @@ bool FixedStepper::refuseFrame(double seconds)
     return Checks().range("seconds", seconds, 0, kAnyFinite, "must be finite and >= 0 s").refuse();
 }
 
-double FixedStepper::alpha() const noexcept { return clamp(pending_ / step_, 0.0, 1.0); }
-double FixedStepper::dropped() const noexcept { return dropped_; }
+double FixedStepper::alpha() const noexcept
+{
+    return clamp(pending_ / step_, 0.0, 1.0);
+}
+double FixedStepper::dropped() const noexcept
+{
+    return dropped_;
+}
 
 }  // namespace tamias2d::inline TAMIAS_PRECISION

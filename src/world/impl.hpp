@@ -12,7 +12,6 @@
 
 #include <tamias2d/world/world.hpp>
 
-
 namespace tamias2d::inline TAMIAS_PRECISION {
 
 /// All that one World owns.
@@ -50,7 +49,11 @@ struct World::Impl {
     }
     ContactWorld contactWorld() const
     {
-        return {bodies,  shapes, motions, settings.frictionMixing, settings.restitutionMixing,
+        return {bodies,
+                shapes,
+                motions,
+                settings.frictionMixing,
+                settings.restitutionMixing,
                 settings.tuning.restGap};
     }
 

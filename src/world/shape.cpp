@@ -13,18 +13,22 @@ ShapeRow& deadShapeRow()
 
 }  // namespace
 
-bool Shape::isAlive() const noexcept { return world_ != nullptr && world_->impl_->shapes.ids.owns(id_); }
+bool Shape::isAlive() const noexcept
+{
+    return world_ != nullptr && world_->impl_->shapes.ids.owns(id_);
+}
 
 World* Shape::alive() const
 {
     if (isAlive()) return world_;
-    fail(InputError("Shape", id_.isNull() ? "null" : textOf(id_.index), "must be a live shape of this world"));
+    fail(
+        InputError("Shape", id_.isNull() ? "null" : textOf(id_.index), "must be a live shape of this world"));
     return nullptr;
 }
 
 // The row, or a fresh one that nobody keeps when a dead handle was let pass by the error handler.
-#define TAMIAS_SHAPE_ROW(name)                                                                                       \
-    World* const w = alive();                                                                                        \
+#define TAMIAS_SHAPE_ROW(name)                                                                               \
+    World* const w = alive();                                                                                \
     ShapeRow& name = w ? w->impl_->shapes.rows[id_.index] : deadShapeRow()
 
 BodyId Shape::body() const

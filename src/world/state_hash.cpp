@@ -32,8 +32,7 @@ void addFlags(Hasher& hash, Flags... flags)
 void add(Hasher& hash, const std::string& text)
 {
     hash.add(std::uint64_t{text.size()});
-    for (const char c : text)
-        hash.add(static_cast<std::uint64_t>(static_cast<unsigned char>(c)));
+    for (const char c : text) hash.add(static_cast<std::uint64_t>(static_cast<unsigned char>(c)));
 }
 
 void add(Hasher& hash, const WorldDef& def)
@@ -66,8 +65,7 @@ void add(Hasher& hash, const Geometry& geometry)
         hash.add(segment->radius);
     } else if (const auto* polygon = std::get_if<Polygon>(&geometry)) {
         hash.add(static_cast<std::uint64_t>(polygon->count));
-        for (const Vec2 v : polygon->points())
-            add(hash, v);
+        for (const Vec2 v : polygon->points()) add(hash, v);
         hash.add(polygon->radius);
     }
 }
@@ -140,8 +138,7 @@ std::uint64_t World::stateHash() const noexcept
             add(hash, impl_->shapes.rows[shape].def);
         }
     }
-    for (const Contact& contact : impl_->contacts.rows)
-        add(hash, contact);
+    for (const Contact& contact : impl_->contacts.rows) add(hash, contact);
     return hash.value();
 }
 

@@ -17,7 +17,8 @@ std::uint32_t nextWorldNumber()
 template <class IdType>
 Complaint checkAlive(std::string_view field, bool alive, const IdType& id, std::string_view what)
 {
-    const std::string given = id.isNull() ? "null" : textOf(id.index) + " (generation " + textOf(id.generation) + ")";
+    const std::string given =
+        id.isNull() ? "null" : textOf(id.index) + " (generation " + textOf(id.generation) + ")";
     if (alive) return std::nullopt;
     return InputError(std::string(field), given, "must be a live " + std::string(what) + " of this world");
 }
@@ -86,8 +87,14 @@ std::vector<BodyId> World::bodies() const
     return all;
 }
 
-std::size_t World::bodyCount() const noexcept { return impl_->bodies.ids.alive(); }
-std::size_t World::shapeCount() const noexcept { return impl_->shapes.ids.alive(); }
+std::size_t World::bodyCount() const noexcept
+{
+    return impl_->bodies.ids.alive();
+}
+std::size_t World::shapeCount() const noexcept
+{
+    return impl_->shapes.ids.alive();
+}
 
 void World::readStates(std::span<const BodyId> ids, std::span<BodyState> states) const
 {
@@ -123,7 +130,10 @@ void World::writeStates(std::span<const BodyId> ids, std::span<const BodyState> 
 
 // --- settings
 
-const WorldDef& World::definition() const noexcept { return impl_->settings; }
+const WorldDef& World::definition() const noexcept
+{
+    return impl_->settings;
+}
 
 void World::setGravity(Vec2 gravity)
 {
@@ -133,7 +143,8 @@ void World::setGravity(Vec2 gravity)
 
 void World::setGravitationConstant(real g)
 {
-    if (refuse(checkRange("gravitationConstant", g, 0, kAnyFinite, "must be finite and >= 0 m^3/(kg*s^2)"))) return;
+    if (refuse(checkRange("gravitationConstant", g, 0, kAnyFinite, "must be finite and >= 0 m^3/(kg*s^2)")))
+        return;
     impl_->settings.gravitationConstant = g;
 }
 
@@ -153,7 +164,8 @@ void World::setMixingRules(MixingRule friction, MixingRule restitution)
 
 ForceLawId World::addForceLaw(ForceLaw law)
 {
-    if (refuse(checkThat(static_cast<bool>(law.force), "ForceLaw.force", "empty", "must be a function"))) return {};
+    if (refuse(checkThat(static_cast<bool>(law.force), "ForceLaw.force", "empty", "must be a function")))
+        return {};
     const ForceLawId id = impl_->lawIds.take();
     impl_->laws.push_back({id, {}, std::move(law)});
     return id;
@@ -186,13 +198,25 @@ StepReport World::step(double dt, int substeps) noexcept
     return impl_->report = impl_->step(dt, substeps);
 }
 
-double World::time() const noexcept { return impl_->time; }
-std::uint64_t World::stepCount() const noexcept { return impl_->steps; }
-const StepReport& World::lastReport() const noexcept { return impl_->report; }
+double World::time() const noexcept
+{
+    return impl_->time;
+}
+std::uint64_t World::stepCount() const noexcept
+{
+    return impl_->steps;
+}
+const StepReport& World::lastReport() const noexcept
+{
+    return impl_->report;
+}
 
 // --- results
 
-StepEvents World::events() const noexcept { return {impl_->begins, impl_->ends, impl_->hits}; }
+StepEvents World::events() const noexcept
+{
+    return {impl_->begins, impl_->ends, impl_->hits};
+}
 
 ContactView World::Impl::view(const Contact& c) const
 {
@@ -212,8 +236,9 @@ ContactView World::Impl::view(const Contact& c) const
     const Position centerA = bodies.rows[shapes.rows[c.shapeA].body].center;
     for (int i = 0; i < c.count; ++i) {
         const ContactPointRow& point = c.points[i];
-        view.points[static_cast<std::size_t>(i)] = {centerA + toDVec2(point.armA), point.gap + c.restGap, point.stepNormal,
-                                                    point.stepTangent, point.anchor.feature};
+        view.points[static_cast<std::size_t>(i)] = {centerA + toDVec2(point.armA), point.gap + c.restGap,
+                                                    point.stepNormal, point.stepTangent,
+                                                    point.anchor.feature};
     }
     return view;
 }
@@ -231,8 +256,10 @@ bool World::touching(BodyId a, BodyId b) const
     if (refuse(checkAlive("a", impl_->bodies.ids.owns(a), a, "body"))) return false;
     if (refuse(checkAlive("b", impl_->bodies.ids.owns(b), b, "body"))) return false;
     for (const Contact& c : impl_->contacts.rows) {
-        const std::uint32_t first = impl_->shapes.rows[c.shapeA].body, second = impl_->shapes.rows[c.shapeB].body;
-        if (c.touching && ((first == a.index && second == b.index) || (first == b.index && second == a.index)))
+        const std::uint32_t first = impl_->shapes.rows[c.shapeA].body,
+                            second = impl_->shapes.rows[c.shapeB].body;
+        if (c.touching &&
+            ((first == a.index && second == b.index) || (first == b.index && second == a.index)))
             return true;
     }
     return false;
@@ -243,12 +270,19 @@ bool World::touching(ShapeId a, ShapeId b) const
     if (refuse(checkAlive("a", impl_->shapes.ids.owns(a), a, "shape"))) return false;
     if (refuse(checkAlive("b", impl_->shapes.ids.owns(b), b, "shape"))) return false;
     for (const Contact& c : impl_->contacts.rows)
-        if (c.touching && c.shapeA == minimum(a.index, b.index) && c.shapeB == maximum(a.index, b.index)) return true;
+        if (c.touching && c.shapeA == minimum(a.index, b.index) && c.shapeB == maximum(a.index, b.index))
+            return true;
     return false;
 }
 
-Energy World::energy() const { return totalEnergy(impl_->bodies, impl_->field(), impl_->time); }
-Momentum World::momentum() const { return totalMomentum(impl_->bodies); }
+Energy World::energy() const
+{
+    return totalEnergy(impl_->bodies, impl_->field(), impl_->time);
+}
+Momentum World::momentum() const
+{
+    return totalMomentum(impl_->bodies);
+}
 
 // --- queries
 
@@ -279,7 +313,8 @@ std::optional<RayHit> World::castRay(Position from, Position to, const Filter& f
 
 std::vector<RayHit> World::castRayAll(Position from, Position to, const Filter& filter) const
 {
-    if (Checks().finite("from", from, "must be finite m").finite("to", to, "must be finite m").refuse()) return {};
+    if (Checks().finite("from", from, "must be finite m").finite("to", to, "must be finite m").refuse())
+        return {};
     return shapesAlong({impl_->bodies, impl_->shapes, filter}, from, to);
 }
 

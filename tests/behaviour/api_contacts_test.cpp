@@ -183,8 +183,7 @@ double worstOfDd10(World& world, double g, int steps)
         for (const BodyId id : world.bodies()) {
             if (world.body(id).type() == BodyType::Dynamic) bodies.push_back(world.body(id));
         }
-        for (const Body& body : bodies)
-            before.push_back(body.momentum().linear);
+        for (const Body& body : bodies) before.push_back(body.momentum().linear);
         world.step(dt);
         for (std::size_t i = 0; i < bodies.size(); ++i) {
             DVec2 sum{0, -static_cast<double>(bodies[i].mass()) * g * dt};
@@ -230,8 +229,7 @@ TEST(ContactImpulses, OfAStackSumToTheChangeOfMomentumOfEachBox)
     TRACES("DD10", "T2", "R8");
     World world(withoutCalming());
     addGround(world);
-    for (int i = 0; i < 5; ++i)
-        addBox(world, {0, 0.6 + 1.1 * i}, 1, 1);
+    for (int i = 0; i < 5; ++i) addBox(world, {0, 0.6 + 1.1 * i}, 1, 1);
     EXPECT_LT(worstOfDd10(world, 10, 180), kImpulseError);
 }
 
@@ -240,10 +238,8 @@ TEST(ContactImpulses, OfATopplingHeapSumToTheChangeOfMomentumOfEachBody)
     TRACES("DD10", "T2", "R8");
     World world(withoutCalming());
     addGround(world, 0, 100, {.restitution = 0.3});
-    for (int i = 0; i < 6; ++i)
-        addBox(world, {0.3 * i, 0.6 + 1.2 * i}, 1, 1, {.angle = 0.1 * i});
-    for (int i = 0; i < 4; ++i)
-        addDisc(world, {0.2 + 0.2 * i, 8.0 + i}, 0.4, {.restitution = 0.5});
+    for (int i = 0; i < 6; ++i) addBox(world, {0.3 * i, 0.6 + 1.2 * i}, 1, 1, {.angle = 0.1 * i});
+    for (int i = 0; i < 4; ++i) addDisc(world, {0.2 + 0.2 * i, 8.0 + i}, 0.4, {.restitution = 0.5});
     EXPECT_LT(worstOfDd10(world, 10, 180), kImpulseError);
 }
 
@@ -309,8 +305,7 @@ TEST(ContactViews, AreSortedByShapes)
 {
     TRACES("R7");
     World world;
-    for (int i = 0; i < 12; ++i)
-        addBox(world, {1.001 * (11 - i), 0.501}, 1, 1);
+    for (int i = 0; i < 12; ++i) addBox(world, {1.001 * (11 - i), 0.501}, 1, 1);
     addGround(world);
     runSeconds(world, 0.1);
     const auto contacts = world.contacts();
@@ -319,8 +314,7 @@ TEST(ContactViews, AreSortedByShapes)
         std::is_sorted(contacts.begin(), contacts.end(), [](const ContactView& a, const ContactView& b) {
             return std::tie(a.shapeA, a.shapeB) < std::tie(b.shapeA, b.shapeB);
         }));
-    for (const ContactView& c : contacts)
-        EXPECT_LT(c.shapeA, c.shapeB);
+    for (const ContactView& c : contacts) EXPECT_LT(c.shapeA, c.shapeB);
 }
 
 }  // namespace

@@ -99,8 +99,7 @@ TEST(Filters, BodiesThatNothingPushesDoNotMeetEachOther)
     runSeconds(world, 0.5);
     EXPECT_NEAR(platform.position().y, -0.5, 1e-6);
     for (const ContactView& contact : world.contacts()) {
-        for (const ContactPoint& point : contact.points)
-            EXPECT_EQ(point.normalImpulse, real(0));
+        for (const ContactPoint& point : contact.points) EXPECT_EQ(point.normalImpulse, real(0));
     }
 }
 

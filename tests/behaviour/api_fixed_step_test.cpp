@@ -30,15 +30,13 @@ TEST(FixedStepper, GivesTheSameBitsAtEveryFrameRate)
     const int seconds = 5;
     World reference;
     buildPlayground(reference);
-    for (int i = 0; i < seconds * 60; ++i)
-        reference.step(1.0 / 60, 4);
+    for (int i = 0; i < seconds * 60; ++i) reference.step(1.0 / 60, 4);
     for (const double rate : {24.0, 30.0, 60.0, 75.0, 120.0, 144.0, 240.0}) {
         World world;
         buildPlayground(world);
         FixedStepper stepper;
         int steps = 0;
-        for (int frame = 0; frame < seconds * rate; ++frame)
-            steps += stepper.advance(world, 1 / rate);
+        for (int frame = 0; frame < seconds * rate; ++frame) steps += stepper.advance(world, 1 / rate);
         EXPECT_EQ(steps, seconds * 60) << rate << " frames a second";
         EXPECT_EQ(world.stepCount(), static_cast<std::uint64_t>(seconds * 60)) << rate << " frames a second";
         EXPECT_EQ(world.stateHash(), reference.stateHash()) << rate << " frames a second";
@@ -62,8 +60,7 @@ TEST(FixedStepper, GivesTheSameBitsWithUnevenFrames)
         EXPECT_LT(b.alpha(), 1.0);
         EXPECT_NEAR(static_cast<double>(uneven.stepCount()) + b.alpha(), time * 60, 1e-6);
     }
-    while (even.stepCount() < uneven.stepCount())
-        a.advance(even, 1.0 / 60);
+    while (even.stepCount() < uneven.stepCount()) a.advance(even, 1.0 / 60);
     EXPECT_EQ(even.stateHash(), uneven.stateHash());
 }
 
@@ -75,8 +72,7 @@ TEST(FixedStepper, LosesNoTimeOverAnHourOfFrames)
         FixedStepper stepper(1.0 / 60, 1);
         const int frames = static_cast<int>(3600 * rate);
         long long steps = 0;
-        for (int i = 0; i < frames; ++i)
-            steps += stepper.advance(world, 1 / rate);
+        for (int i = 0; i < frames; ++i) steps += stepper.advance(world, 1 / rate);
         EXPECT_NEAR(static_cast<double>(steps) + stepper.alpha(), frames / rate * 60, 1e-6) << rate;
     }
 }

@@ -134,8 +134,7 @@ TEST(Ray, FindsAllShapesInOrder)
     Row row;
     const auto hits = row.world.castRayAll({-5, 0}, {15, 0});
     std::vector<ShapeId> found;
-    for (const RayHit& hit : hits)
-        found.push_back(hit.shape);
+    for (const RayHit& hit : hits) found.push_back(hit.shape);
     EXPECT_EQ(found, row.all());
     EXPECT_TRUE(std::is_sorted(hits.begin(), hits.end(),
                                [](const RayHit& a, const RayHit& b) { return a.fraction < b.fraction; }));

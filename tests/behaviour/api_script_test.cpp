@@ -146,8 +146,7 @@ private:
         def.linearVelocity = def.type == BodyType::Static ? Vec2{} : anyVelocity();
         def.enabled = below(10) != 0;
         Body body = world_.createBody(def);
-        for (int i = below(3); i >= 0; --i)
-            body.createShape(anyShape());
+        for (int i = below(3); i >= 0; --i) body.createShape(anyShape());
     }
 
     void step()

@@ -109,16 +109,14 @@ TEST(Definitions, MakeATwinWorld)
     World world(worldDef);
     Body body =
         world.createBody({.position = {1, 2}, .angle = 0.5, .linearVelocity = vec(3, 1), .name = "first"});
-    for (const ShapeDef& def : variedShapes())
-        body.createShape(def);
+    for (const ShapeDef& def : variedShapes()) body.createShape(def);
     addGround(world, -5);
     runSeconds(world, 0.25);
 
     World twin(world.definition());
     for (const BodyId id : world.bodies()) {
         Body copy = twin.createBody(world.body(id).definition());
-        for (const Shape& shape : world.body(id).shapes())
-            copy.createShape(shape.definition());
+        for (const Shape& shape : world.body(id).shapes()) copy.createShape(shape.definition());
     }
     Body second = *twin.findBody("first");
     EXPECT_EQ(textOf(second.definition()), textOf(body.definition()));

@@ -77,8 +77,7 @@ TEST(WildBodies, DoNotDisturbTheOthers)
     World calm;
     build(calm);
     const std::vector<BodyId> ids = calm.bodies();
-    for (int i = 0; i < 30; ++i)
-        calm.step();
+    for (int i = 0; i < 30; ++i) calm.step();
     const auto expected = statesOf(calm, ids);
     for (const Wild& wild : wildThings()) {
         SCOPED_TRACE(wild.name);
@@ -117,8 +116,7 @@ TEST(WildBodies, LeaveTheirNeighborsInTheWorld)
         Body beside = addDisc(world, {1.001, 0.501}, 0.5);
         world.step();
         wild.drive(world, body);
-        for (int i = 0; i < 10; ++i)
-            world.step();
+        for (int i = 0; i < 10; ++i) world.step();
         for (const Body& other : {ground, onTop, beside}) {
             EXPECT_TRUE(other.isEnabled());
             EXPECT_TRUE(isFinite(other.position()) && isFinite(other.linearVelocity()) &&

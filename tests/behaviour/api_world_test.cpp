@@ -20,8 +20,7 @@ using namespace test;
 void buildScene(World& world)
 {
     addGround(world, 0, 40, {.restitution = 0.2});
-    for (int i = 0; i < 5; ++i)
-        addBox(world, {0.1 * i, 0.6 + 1.1 * i}, 1, 1);
+    for (int i = 0; i < 5; ++i) addBox(world, {0.1 * i, 0.6 + 1.1 * i}, 1, 1);
     addDisc(world, {-6, 1}, 0.5, {.velocity = vec(9, 2), .restitution = 0.8});
     addCapsule(world, {5, 4}, 2, 0.3, {.spin = 3});
     addRegular(world, {3, 6}, 5, 0.6, {.spin = -2});
@@ -31,8 +30,7 @@ TEST(World, OfNothingCanBeStepped)
 {
     TRACES("R1");
     World world;
-    for (int i = 0; i < 10; ++i)
-        EXPECT_EQ(world.step().status, StepStatus::Done);
+    for (int i = 0; i < 10; ++i) EXPECT_EQ(world.step().status, StepStatus::Done);
     EXPECT_EQ(world.bodyCount(), 0u);
     EXPECT_EQ(world.shapeCount(), 0u);
     EXPECT_TRUE(world.bodies().empty());
@@ -90,8 +88,7 @@ TEST(World, KeepsTheClock)
     EXPECT_EQ(world.time(), 0.75);
     EXPECT_EQ(world.stepCount(), 2u);
     EXPECT_EQ(world.lastReport().substeps, 1);
-    for (int i = 0; i < 360000; ++i)
-        world.step(0.01, 1);
+    for (int i = 0; i < 360000; ++i) world.step(0.01, 1);
     EXPECT_NEAR(world.time(), 3600.75, 1e-6) << "an hour in steps of 0.01 s";
 }
 

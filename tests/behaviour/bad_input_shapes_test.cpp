@@ -12,8 +12,7 @@ using namespace test;
 Polygon rawPolygon(std::initializer_list<Vec2> points)
 {
     Polygon polygon;
-    for (const Vec2 p : points)
-        polygon.vertices[static_cast<std::size_t>(polygon.count++)] = p;
+    for (const Vec2 p : points) polygon.vertices[static_cast<std::size_t>(polygon.count++)] = p;
     return polygon;
 }
 
@@ -158,8 +157,7 @@ TEST(BadInput, APolygonOfNoAreaOrTooManyCornersIsRefusedWithTheReason)
 {
     TRACES("R4", "DC-L");
     std::vector<Vec2> circle;
-    for (int i = 0; i < 40; ++i)
-        circle.push_back(vec(std::cos(0.157 * i), std::sin(0.157 * i)));
+    for (int i = 0; i < 40; ++i) circle.push_back(vec(std::cos(0.157 * i), std::sin(0.157 * i)));
     const std::vector<std::vector<Vec2>> cases = {
         {},
         {vec(1, 1)},

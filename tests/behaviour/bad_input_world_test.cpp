@@ -186,10 +186,8 @@ TEST(BadInput, ABadTimeStepIsReportedAndMovesNothing)
         EXPECT_EQ(all.world.stateHash(), hash) << dt << " s x " << substeps;
         EXPECT_EQ(describe(all.world), before) << dt << " s x " << substeps;
     };
-    for (const double dt : notFiniteAnd({0, -0.0, -1.0 / 60, 1.0000001, 1e300}))
-        expectNothing(dt, 4);
-    for (const int substeps : {INT_MIN, -1, 0, 257, INT_MAX})
-        expectNothing(1.0 / 60, substeps);
+    for (const double dt : notFiniteAnd({0, -0.0, -1.0 / 60, 1.0000001, 1e300})) expectNothing(dt, 4);
+    for (const int substeps : {INT_MIN, -1, 0, 257, INT_MAX}) expectNothing(1.0 / 60, substeps);
     EXPECT_EQ(all.world.step(1, 256).status, StepStatus::Done);
     EXPECT_EQ(all.world.step(1e-9, 1).status, StepStatus::Done);
     EXPECT_NE(all.world.stateHash(), hash);

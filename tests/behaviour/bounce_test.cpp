@@ -110,8 +110,7 @@ TEST(Bounce, EachHeightIsTheSquareOfTheRestitutionTimesTheLast)
     Ball ball(0.8);
     double expected = kDrop;
     for (int bounce = 0; bounce < 12; ++bounce) {
-        do
-            ball.world.step();
+        do ball.world.step();
         while (ball.world.events().hits.empty() && ball.world.time() < 20);
         expected *= 0.64;
         EXPECT_EQ(ball.world.events().hits.size(), 1u);
@@ -151,8 +150,7 @@ void expectExitSpeeds(double restitution, Make&& make)
             const double start = 0.5 - 1.25 * speed / 60;  // the second step brings it to the wall
             const Body body = make(
                 world, start, Options{.velocity = vec(speed, 0), .friction = 0, .restitution = restitution});
-            for (int i = 0; i < 20; ++i)
-                world.step(1.0 / 60, substeps);
+            for (int i = 0; i < 20; ++i) world.step(1.0 / 60, substeps);
             EXPECT_LE(std::abs(-velocityOf(body).x / speed - restitution), 1e-3)
                 << speed << " m/s, C_R " << restitution << " x " << substeps;
         }
@@ -165,8 +163,7 @@ TEST(Wall, GivesABallBackItsSpeedFromACreepToARace)
     const auto ball = [](World& w, double right, const Options& o) {
         return addDisc(w, {right - 0.5, 0}, 0.5, o);
     };
-    for (const double e : {1.0, 0.5, 0.1})
-        expectExitSpeeds(e, ball);
+    for (const double e : {1.0, 0.5, 0.1}) expectExitSpeeds(e, ball);
 }
 
 TEST(Wall, GivesAFlatBoxBackItsSpeed)
@@ -175,8 +172,7 @@ TEST(Wall, GivesAFlatBoxBackItsSpeed)
     const auto box = [](World& w, double right, const Options& o) {
         return addBox(w, {right - 0.5, 0}, 1, 1, o);
     };
-    for (const double e : {1.0, 0.5})
-        expectExitSpeeds(e, box);
+    for (const double e : {1.0, 0.5}) expectExitSpeeds(e, box);
 }
 
 TEST(Wall, TwoOfThemKeepABallGoingForAThousandBounces)

@@ -75,15 +75,13 @@ void expectIsolated(double friction, std::uint32_t seed)
 TEST(Cluster, WithoutFrictionKeepsItsMomentum)
 {
     TRACES("R8", "IM3", "T2", "GD1", "DD10", "DD15");
-    for (const std::uint32_t seed : {1u, 2u, 3u})
-        expectIsolated(0, seed);
+    for (const std::uint32_t seed : {1u, 2u, 3u}) expectIsolated(0, seed);
 }
 
 TEST(Cluster, WithFrictionKeepsItsMomentum)
 {
     TRACES("R8", "IM3", "T2", "GD1", "DD10", "DD15", "LC2");
-    for (const std::uint32_t seed : {1u, 2u, 3u})
-        expectIsolated(0.5, seed);
+    for (const std::uint32_t seed : {1u, 2u, 3u}) expectIsolated(0.5, seed);
 }
 
 }  // namespace

@@ -40,8 +40,7 @@ struct Cradle {
     int indexOf(BodyId id) const
     {
         int i = 0;
-        while (balls[static_cast<std::size_t>(i)].id() != id)
-            ++i;
+        while (balls[static_cast<std::size_t>(i)].id() != id) ++i;
         return i;
     }
 
@@ -96,8 +95,7 @@ TEST(Cradle, OneBallInOneBallOut)
 {
     TRACES("R8", "IM3", "GD1", "DD12");
     for (const int substeps : {1, 2, 4, 8}) {
-        for (const double gap : {0.0, 1e-6, 1e-3, 0.1})
-            expectHandedOn(1, gap, substeps);
+        for (const double gap : {0.0, 1e-6, 1e-3, 0.1}) expectHandedOn(1, gap, substeps);
     }
 }
 
@@ -105,16 +103,14 @@ TEST(Cradle, TwoBallsInTwoBallsOut)
 {
     TRACES("R8", "IM3", "GD1", "DD12");
     for (const int substeps : {1, 2, 4, 8}) {
-        for (const double gap : {0.0, 1e-6, 1e-3, 0.1})
-            expectHandedOn(2, gap, substeps);
+        for (const double gap : {0.0, 1e-6, 1e-3, 0.1}) expectHandedOn(2, gap, substeps);
     }
 }
 
 TEST(Cradle, ThreeBallsInThreeBallsOut)
 {
     TRACES("R8", "IM3", "GD1", "DD12");
-    for (const double gap : {0.0, 1e-3})
-        expectHandedOn(3, gap, 4);
+    for (const double gap : {0.0, 1e-3}) expectHandedOn(3, gap, 4);
 }
 
 TEST(Cradle, OnAFloorItWorksTheSame)

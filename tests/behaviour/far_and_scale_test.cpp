@@ -110,8 +110,7 @@ std::vector<double> apartInFiveSeconds(double k)
     for (int i = 0; i < 300; ++i) {
         unit.step();
         scaled.step();
-        for (std::size_t b = 0; b < apart.size(); ++b)
-            apart[b] = std::max(apart[b], scaled.apart(unit, b));
+        for (std::size_t b = 0; b < apart.size(); ++b) apart[b] = std::max(apart[b], scaled.apart(unit, b));
     }
     return apart;
 }
@@ -134,8 +133,7 @@ TEST(Scale, ByPowersOfTwoNotOneBitOfATrajectoryChanges)
 {
     TRACES("R1", "R5", "R6", "R8", "ADR15");
     for (const double k : {1.0 / 1024, 0.5, 1024.0})
-        for (const double apart : apartInFiveSeconds(k))
-            EXPECT_EQ(apart, 0) << "scale " << k;
+        for (const double apart : apartInFiveSeconds(k)) EXPECT_EQ(apart, 0) << "scale " << k;
 }
 
 }  // namespace

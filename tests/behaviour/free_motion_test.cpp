@@ -209,8 +209,7 @@ TEST(FreeMotion, BodiesThatDoNotTouchDoNotFeelEachOther)
     const Options options{.velocity = vec(2, 3), .spin = 1.5};
     const Body single = addBox(alone, {0, 0}, 1, 1, options);
     const Body one = addBox(crowd, {0, 0}, 1, 1, options);
-    for (int i = 1; i < 10; ++i)
-        addBox(crowd, {1.5 * i, 0}, 1, 1, options);  // they fly in formation
+    for (int i = 1; i < 10; ++i) addBox(crowd, {1.5 * i, 0}, 1, 1, options);  // they fly in formation
     runSeconds(alone, kSeconds);
     runSeconds(crowd, kSeconds);
     EXPECT_EQ(one.position(), single.position());

@@ -15,8 +15,7 @@ constexpr double kExact = byPrecision(1e-12, 1e-5);
 // Steps until the first hit, and returns it.
 HitEvent firstHit(World& world)
 {
-    for (int i = 0; i < 600 && world.events().hits.empty(); ++i)
-        world.step();
+    for (int i = 0; i < 600 && world.events().hits.empty(); ++i) world.step();
     return world.events().hits.empty() ? HitEvent{} : world.events().hits[0];
 }
 

@@ -123,8 +123,7 @@ void print(const char* name, void (*fill)(World&))
 {
     World world;
     fill(world);
-    for (int i = 0; i < kSteps; ++i)
-        world.step();
+    for (int i = 0; i < kSteps; ++i) world.step();
     std::printf("%s %s %016" PRIx64 "\n", sizeof(real) == 4 ? "f32" : "f64", name, world.stateHash());
 }
 

@@ -52,8 +52,7 @@ int main()
     expect(refusals == 3, "a null handle is refused");
     expect(world.stateHash() == before, "nothing has changed");
 
-    for (int i = 0; i < 60; ++i)
-        world.step();
+    for (int i = 0; i < 60; ++i) world.step();
     expect(ball.position().y < 6, "the world still runs");
     return faults;
 }

@@ -17,8 +17,7 @@ std::array<double, N> integrated(std::array<double, N> y, double time, int steps
     using State = std::array<double, N>;
     const double h = time / steps;
     const auto plus = [](State a, double s, const State& b) {
-        for (std::size_t i = 0; i < N; ++i)
-            a[i] += s * b[i];
+        for (std::size_t i = 0; i < N; ++i) a[i] += s * b[i];
         return a;
     };
     for (int i = 0; i < steps; ++i) {
@@ -27,8 +26,7 @@ std::array<double, N> integrated(std::array<double, N> y, double time, int steps
         const State k2 = rate(t + h / 2, plus(y, h / 2, k1));
         const State k3 = rate(t + h / 2, plus(y, h / 2, k2));
         const State k4 = rate(t + h, plus(y, h, k3));
-        for (std::size_t k = 0; k < N; ++k)
-            y[k] += h / 6 * (k1[k] + 2 * k2[k] + 2 * k3[k] + k4[k]);
+        for (std::size_t k = 0; k < N; ++k) y[k] += h / 6 * (k1[k] + 2 * k2[k] + 2 * k3[k] + k4[k]);
     }
     return y;
 }

@@ -31,8 +31,7 @@ inline void write(std::ostream& out, const Geometry& geometry)
     } else {
         const auto& polygon = std::get<Polygon>(geometry);
         out << "polygon ";
-        for (const Vec2 v : polygon.points())
-            out << v;
+        for (const Vec2 v : polygon.points()) out << v;
         out << ' ' << polygon.radius;
     }
 }
@@ -87,8 +86,7 @@ inline std::string describe(World& world)
             out << "  force " << f.force << " at " << f.point << ' ' << f.forceTurns << f.pointTurns << ' '
                 << f.torque << '\n';
         }
-        for (const Shape& shape : body.shapes())
-            write(out, shape.definition());
+        for (const Shape& shape : body.shapes()) write(out, shape.definition());
     }
     return out.str();
 }

@@ -36,14 +36,11 @@ inline Outline outlineOf(const Geometry& geometry)
         o.radius = static_cast<double>(segment->radius);
     } else {
         const auto& polygon = std::get<Polygon>(geometry);
-        for (const Vec2 v : polygon.points())
-            o.core.push_back(toDVec2(v));
+        for (const Vec2 v : polygon.points()) o.core.push_back(toDVec2(v));
         o.radius = static_cast<double>(polygon.radius);
     }
-    for (const DVec2 p : o.core)
-        o.center += (1.0 / static_cast<double>(o.core.size())) * p;
-    for (const DVec2 p : o.core)
-        o.reach = std::max(o.reach, length(p - o.center) + o.radius);
+    for (const DVec2 p : o.core) o.center += (1.0 / static_cast<double>(o.core.size())) * p;
+    for (const DVec2 p : o.core) o.reach = std::max(o.reach, length(p - o.center) + o.radius);
     return o;
 }
 
@@ -53,8 +50,7 @@ inline void place(const Outline& local, DVec2 to, double angle, Outline& out)
     const double c = std::cos(angle), s = std::sin(angle);
     const auto moved = [&](DVec2 p) { return DVec2{to.x + c * p.x - s * p.y, to.y + s * p.x + c * p.y}; };
     out.core.resize(local.core.size());
-    for (std::size_t i = 0; i < local.core.size(); ++i)
-        out.core[i] = moved(local.core[i]);
+    for (std::size_t i = 0; i < local.core.size(); ++i) out.core[i] = moved(local.core[i]);
     out.center = moved(local.center);
     out.radius = local.radius;
     out.reach = local.reach;
@@ -75,8 +71,7 @@ inline double gapAlongFaces(const std::vector<DVec2>& a, const std::vector<DVec2
         const DVec2 edge = a[(i + 1) % a.size()] - a[i];
         const DVec2 normal = (1 / length(edge)) * DVec2{edge.y, -edge.x};
         double gap = std::numeric_limits<double>::infinity();
-        for (const DVec2 p : b)
-            gap = std::min(gap, dot(normal, p - a[i]));
+        for (const DVec2 p : b) gap = std::min(gap, dot(normal, p - a[i]));
         best = std::max(best, gap);
     }
     return best;

@@ -60,8 +60,7 @@ private:
         for (std::size_t i = 0; o.core.size() > 1 && i < o.core.size(); ++i) {
             const DVec2 edge = o.core[(i + 1) % o.core.size()] - o.core[i];
             double across = 0;
-            for (const DVec2 p : o.core)
-                across = std::max(across, cross(edge, p - o.core[i]) / length(edge));
+            for (const DVec2 p : o.core) across = std::max(across, cross(edge, p - o.core[i]) / length(edge));
             width = std::min(width, across);
         }
         return (o.core.size() == 1 ? 0 : width) + 2 * o.radius;
@@ -82,8 +81,7 @@ private:
     {
         ++looks_;
         order_.resize(seen_.size());
-        for (std::size_t i = 0; i < order_.size(); ++i)
-            order_[i] = i;
+        for (std::size_t i = 0; i < order_.size(); ++i) order_[i] = i;
         const auto left = [&](std::size_t i) { return seen_[i].now.center.x - seen_[i].now.reach; };
         std::sort(order_.begin(), order_.end(),
                   [&](std::size_t a, std::size_t b) { return left(a) < left(b); });

@@ -34,8 +34,7 @@ struct Placed {
 inline double furthestSideways(const std::vector<Placed>& boxes)
 {
     double furthest = 0;
-    for (const Placed& box : boxes)
-        furthest = std::max(furthest, box.sideways());
+    for (const Placed& box : boxes) furthest = std::max(furthest, box.sideways());
     return furthest;
 }
 

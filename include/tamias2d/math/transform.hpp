@@ -13,21 +13,15 @@ struct Position {
     double y = 0;
 
     friend constexpr bool operator==(const Position&, const Position&) noexcept = default;
-    friend constexpr Position operator+(Position p, DVec2 d) noexcept
-    {
-        return {p.x + d.x, p.y + d.y};
-    }
-    friend constexpr Position operator-(Position p, DVec2 d) noexcept
-    {
-        return {p.x - d.x, p.y - d.y};
-    }
-    friend constexpr DVec2 operator-(Position a, Position b) noexcept
-    {
-        return {a.x - b.x, a.y - b.y};
-    }
+    friend constexpr Position operator+(Position p, DVec2 d) noexcept { return {p.x + d.x, p.y + d.y}; }
+    friend constexpr Position operator-(Position p, DVec2 d) noexcept { return {p.x - d.x, p.y - d.y}; }
+    friend constexpr DVec2 operator-(Position a, Position b) noexcept { return {a.x - b.x, a.y - b.y}; }
 };
 
-inline bool isFinite(Position p) noexcept { return std::isfinite(p.x) && std::isfinite(p.y); }
+inline bool isFinite(Position p) noexcept
+{
+    return std::isfinite(p.x) && std::isfinite(p.y);
+}
 
 /// An orientation as its cosine and sine.
 struct Rot {

@@ -62,7 +62,10 @@ inline T length(BasicVec2<T> a) noexcept
     return std::sqrt(dot(a, a));
 }
 
-constexpr Vec2 toVec2(DVec2 a) noexcept { return {static_cast<real>(a.x), static_cast<real>(a.y)}; }
+constexpr Vec2 toVec2(DVec2 a) noexcept
+{
+    return {static_cast<real>(a.x), static_cast<real>(a.y)};
+}
 constexpr DVec2 toDVec2(Vec2 a) noexcept
 {
     return {static_cast<double>(a.x), static_cast<double>(a.y)};

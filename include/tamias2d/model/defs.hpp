@@ -24,10 +24,11 @@ inline constexpr double kMaxSize = 1e6;      ///< [m]
 /// What a new World is like.
 struct WorldDef {
     Vec2 gravity = {0, real(-9.81)};  ///< [m/s^2]
-    real gravitationConstant = 0;     ///< G of T3; 0 switches it off. Nature's is 6.673e-11   [m^3/(kg*s^2)] >= 0
-    real lengthUnit = 1;              ///< the length of a typical body; scales Tuning and the bounds   [m]   > 0
+    real gravitationConstant =
+        0;     ///< G of T3; 0 switches it off. Nature's is 6.673e-11   [m^3/(kg*s^2)] >= 0
+    real lengthUnit = 1;  ///< the length of a typical body; scales Tuning and the bounds   [m]   > 0
     MixingRule frictionMixing = MixingRule::GeometricMean;  ///< not MixingRule::World
-    MixingRule restitutionMixing = MixingRule::Maximum;     ///< not MixingRule::World
+    MixingRule restitutionMixing = MixingRule::Maximum;  ///< not MixingRule::World
     Tuning tuning = {};
 };
 
@@ -35,9 +36,9 @@ struct WorldDef {
 inline constexpr double kGravitationConstant = 6.673e-11;  ///< [m^3/(kg*s^2)]
 
 enum class BodyType : std::uint8_t {
-    Static,     ///< never moves
+    Static,  ///< never moves
     Kinematic,  ///< moves with the velocity it is given; nothing pushes it
-    Dynamic,    ///< moved by forces and collisions
+    Dynamic,  ///< moved by forces and collisions
 };
 
 /// Mass, center and inertia given by hand instead of by shapes and densities.
@@ -46,29 +47,29 @@ using MassOverride = std::optional<MassProperties>;
 /// What a new body is like [R2].
 struct BodyDef {
     BodyType type = BodyType::Dynamic;
-    Position position = {};         ///< of the body's origin             [m]
-    double angle = 0;               ///< any finite; brought into [0, 2 pi)  [rad]
-    Vec2 linearVelocity = {};       ///< of the center of mass            [m/s]
-    real angularVelocity = 0;       ///< counter-clockwise                [rad/s]
-    MassOverride mass = {};         ///< none: from the shapes. Mass > 0, inertia >= 0
-    real linearDamping = 0;         ///< c of exp(-c t)                   [1/s]   >= 0
-    real angularDamping = 0;        ///< likewise                         [1/s]   >= 0
-    real gravityScale = 1;          ///< factor on the world's gravity    [1]
-    std::optional<Vec2> gravity = {};    ///< its own, instead of the world's  [m/s^2]
-    bool lockX = false;             ///< never moves along x
-    bool lockY = false;             ///< never moves along y
-    bool lockRotation = false;      ///< never turns
-    bool enabled = true;            ///< a disabled body neither moves nor collides
-    std::string name = {};          ///< for messages, scene files and findBody; need not be unique
-    std::uint64_t userData = 0;     ///< yours
+    Position position = {};  ///< of the body's origin             [m]
+    double angle = 0;  ///< any finite; brought into [0, 2 pi)  [rad]
+    Vec2 linearVelocity = {};  ///< of the center of mass            [m/s]
+    real angularVelocity = 0;  ///< counter-clockwise                [rad/s]
+    MassOverride mass = {};  ///< none: from the shapes. Mass > 0, inertia >= 0
+    real linearDamping = 0;  ///< c of exp(-c t)                   [1/s]   >= 0
+    real angularDamping = 0;  ///< likewise                         [1/s]   >= 0
+    real gravityScale = 1;  ///< factor on the world's gravity    [1]
+    std::optional<Vec2> gravity = {};  ///< its own, instead of the world's  [m/s^2]
+    bool lockX = false;  ///< never moves along x
+    bool lockY = false;  ///< never moves along y
+    bool lockRotation = false;  ///< never turns
+    bool enabled = true;  ///< a disabled body neither moves nor collides
+    std::string name = {};  ///< for messages, scene files and findBody; need not be unique
+    std::uint64_t userData = 0;  ///< yours
 };
 
 /// What a new shape of a body is like.
 struct ShapeDef {
     Geometry geometry = Circle{};
-    Vec2 offset = {};         ///< of the shape's frame in the body's   [m]
-    double angle = 0;         ///< of the shape's frame in the body's   [rad]
-    real density = 1;         ///< [kg/m^2]   >= 0
+    Vec2 offset = {};  ///< of the shape's frame in the body's   [m]
+    double angle = 0;  ///< of the shape's frame in the body's   [rad]
+    real density = 1;  ///< [kg/m^2]   >= 0
     Material material = {};
     Filter filter = {};
     std::uint64_t userData = 0;
@@ -76,19 +77,19 @@ struct ShapeDef {
 
 /// A force that stays on a body until removed.
 struct LastingForce {
-    Vec2 force = {};            ///< [N]
-    Vec2 point = {};            ///< where it acts, from the center of mass   [m]
-    bool forceTurns = false;    ///< the force's direction turns with the body (a rocket)
-    bool pointTurns = true;     ///< the point is fixed in the body; false: the arm keeps its direction
-    real torque = 0;            ///< in addition                              [N*m]
+    Vec2 force = {};  ///< [N]
+    Vec2 point = {};  ///< where it acts, from the center of mass   [m]
+    bool forceTurns = false;  ///< the force's direction turns with the body (a rocket)
+    bool pointTurns = true;  ///< the point is fixed in the body; false: the arm keeps its direction
+    real torque = 0;  ///< in addition                              [N*m]
 };
 
 /// Pose and velocity of a body, for bulk reading and writing.
 struct BodyState {
-    Position position = {};     ///< of the body's origin     [m]
-    double angle = 0;           ///< in [0, 2 pi) on output   [rad]
-    Vec2 linearVelocity = {};   ///< of the center of mass    [m/s]
-    real angularVelocity = 0;   ///< [rad/s]
+    Position position = {};  ///< of the body's origin     [m]
+    double angle = 0;  ///< in [0, 2 pi) on output   [rad]
+    Vec2 linearVelocity = {};  ///< of the center of mass    [m/s]
+    real angularVelocity = 0;  ///< [rad/s]
 };
 
 }  // namespace tamias2d::inline TAMIAS_PRECISION

@@ -58,9 +58,9 @@ struct ContactView {
     int pointCount = 0;         ///< 0 to 2
     std::array<ContactPoint, 2> points;
     Vec2 impulse;               ///< on B, summed over the last step, impacts included: the whole change of
-                                ///< momentum this contact made [DD10], also by points that have gone since   [N*s]
+                   ///< momentum this contact made [DD10], also by points that have gone since   [N*s]
     bool touching = false;
-    real restGap = 0;           ///< [m]
+    real restGap = 0;  ///< [m]
     real friction = 0, restitution = 0;  ///< of the pair   [1]
 };
 

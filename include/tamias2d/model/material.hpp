@@ -24,7 +24,7 @@ struct Material {
     real restitution = 0;         ///< C_R: speed apart over speed together [DD12] [1]   in [0, 1]
     real rollingResistance = 0;   ///< resisting torque over (normal force x rounding radius)  [1] >= 0
     real surfaceSpeed = 0;        ///< of a conveyor belt: how fast the surface runs counter-clockwise
-                                  ///< around the shape, i.e. to the left on its top  [m/s]
+                            ///< around the shape, i.e. to the left on its top  [m/s]
     MixingRule frictionMixing = MixingRule::World;
     MixingRule restitutionMixing = MixingRule::World;
 

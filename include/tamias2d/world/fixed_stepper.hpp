@@ -27,7 +27,7 @@ private:
     double step_;
     int substeps_;
     double maxFrame_;
-    double pending_ = 0;     // time taken in and not yet stepped; compensated, so 24 frames of 1/24 are 1 s
+    double pending_ = 0;  // time taken in and not yet stepped; compensated, so 24 frames of 1/24 are 1 s
     double pendingLow_ = 0;
     double dropped_ = 0;
 };

@@ -35,11 +35,11 @@ struct StepReport {
     std::uint32_t sweptPairs = 0;        ///< looked at again in every sub-step
     std::uint32_t touching = 0;          ///< contacts that touch at the end
     std::uint32_t impacts = 0;           ///< impulses at their time of impact
-    std::uint32_t repaired = 0;          ///< pairs added because an impact threw a body out of its swept box
-    std::uint32_t islands = 0;           ///< groups of bodies connected by loaded contacts
-    std::uint32_t nonFinite = 0;         ///< bodies set aside (disabled) as a value of theirs was no number
-    std::uint32_t forceLawFaults = 0;    ///< force laws that threw or returned no number
-    double deepestOverlap = 0;           ///< at the end of the step   [m]   >= 0
+    std::uint32_t repaired = 0;  ///< pairs added because an impact threw a body out of its swept box
+    std::uint32_t islands = 0;  ///< groups of bodies connected by loaded contacts
+    std::uint32_t nonFinite = 0;  ///< bodies set aside (disabled) as a value of theirs was no number
+    std::uint32_t forceLawFaults = 0;  ///< force laws that threw or returned no number
+    double deepestOverlap = 0;  ///< at the end of the step   [m]   >= 0
     ClampCounts clamps;
     StageTimes times;
 };

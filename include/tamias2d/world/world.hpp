@@ -131,7 +131,7 @@ public:
     std::vector<Shape> shapes() const;       ///< in order of creation
 
     // --- results
-    Energy energy() const;                   ///< gravitation between bodies is counted in World::energy only
+    Energy energy() const;  ///< gravitation between bodies is counted in World::energy only
     Momentum momentum() const;
     std::vector<ContactView> contacts() const;  ///< as of the last step
 
@@ -161,50 +161,52 @@ public:
     // --- bodies and shapes
     Body createBody(const BodyDef& def = {});
     void destroyBody(BodyId id);
-    Body body(BodyId id);                              ///< refuses a dead id
+    Body body(BodyId id);  ///< refuses a dead id
     std::optional<Body> findBody(BodyId id) noexcept;  ///< empty if dead
     std::optional<Body> findBody(std::string_view name) noexcept;  ///< the first of that name
-    Shape shape(ShapeId id);                           ///< refuses a dead id
+    Shape shape(ShapeId id);  ///< refuses a dead id
     std::optional<Shape> findShape(ShapeId id) noexcept;
-    std::vector<BodyId> bodies() const;                ///< sorted by id
+    std::vector<BodyId> bodies() const;  ///< sorted by id
     std::size_t bodyCount() const noexcept;
     std::size_t shapeCount() const noexcept;
     void readStates(std::span<const BodyId> ids, std::span<BodyState> states) const;  ///< same length
-    void writeStates(std::span<const BodyId> ids, std::span<const BodyState> states); ///< all or none
+    void writeStates(std::span<const BodyId> ids, std::span<const BodyState> states);  ///< all or none
 
     // --- settings
-    const WorldDef& definition() const noexcept;       ///< gravity, tuning, rules as they are now
-    void setGravity(Vec2 gravity);                     ///< [m/s^2]
-    void setGravitationConstant(real g);               ///< [m^3/(kg*s^2)]   >= 0
+    const WorldDef& definition() const noexcept;  ///< gravity, tuning, rules as they are now
+    void setGravity(Vec2 gravity);  ///< [m/s^2]
+    void setGravitationConstant(real g);  ///< [m^3/(kg*s^2)]   >= 0
     void setTuning(const Tuning& tuning);
     void setMixingRules(MixingRule friction, MixingRule restitution);  ///< not MixingRule::World
-    ForceLawId addForceLaw(ForceLaw law);              ///< on every dynamic body
+    ForceLawId addForceLaw(ForceLaw law);  ///< on every dynamic body
     void removeForceLaw(ForceLawId id);
     /// The laws in force, in order of addition, and the body each acts on (null: all).
     std::vector<std::pair<BodyId, ForceLaw>> forceLaws() const;
 
     // --- time
     /// Moves everything by dt. A bad dt or substeps is told in the report, and nothing moves.
-    StepReport step(double dt = 1.0 / 60.0, int substeps = 4) noexcept;   ///< dt [s]
-    double time() const noexcept;                      ///< sum of all dt   [s]
+    StepReport step(double dt = 1.0 / 60.0, int substeps = 4) noexcept;  ///< dt [s]
+    double time() const noexcept;  ///< sum of all dt   [s]
     std::uint64_t stepCount() const noexcept;
     const StepReport& lastReport() const noexcept;
 
     // --- results
-    StepEvents events() const noexcept;                ///< of the last step
-    std::vector<ContactView> contacts() const;         ///< sorted by shape ids, as of the last step
-    bool touching(BodyId a, BodyId b) const;           ///< as of the last step [R7]
+    StepEvents events() const noexcept;  ///< of the last step
+    std::vector<ContactView> contacts() const;  ///< sorted by shape ids, as of the last step
+    bool touching(BodyId a, BodyId b) const;  ///< as of the last step [R7]
     bool touching(ShapeId a, ShapeId b) const;
-    Energy energy() const;                             ///< of all enabled dynamic bodies
-    Momentum momentum() const;                         ///< of all enabled dynamic bodies
+    Energy energy() const;  ///< of all enabled dynamic bodies
+    Momentum momentum() const;  ///< of all enabled dynamic bodies
     /// One number for the whole state: equal hashes mean equal bits, on every platform.
     std::uint64_t stateHash() const noexcept;
 
     // --- queries, at the present poses [R7]
     std::vector<ShapeId> queryPoint(Position point, const Filter& filter = {}) const;  ///< sorted
-    std::vector<ShapeId> queryBox(const Aabb& box, const Filter& filter = {}) const;   ///< sorted; by exact shape
+    std::vector<ShapeId> queryBox(const Aabb& box,
+                                  const Filter& filter = {}) const;  ///< sorted; by exact shape
     std::optional<RayHit> castRay(Position from, Position to, const Filter& filter = {}) const;
-    std::vector<RayHit> castRayAll(Position from, Position to, const Filter& filter = {}) const;  ///< by fraction
+    std::vector<RayHit> castRayAll(Position from, Position to,
+                                   const Filter& filter = {}) const;  ///< by fraction
 
 private:
     friend class Body;

@@ -18,8 +18,7 @@ int main()
     Body ball = world.createBody({.position = {0, 100}, .linearVelocity = {0, 0.1f}});
     ball.createShape({.geometry = Circle{.radius = 0.3f}});
     const int steps = 120;
-    for (int i = 0; i < steps; ++i)
-        world.step();
+    for (int i = 0; i < steps; ++i) world.step();
 
     const double inFloat = ball.position().y;
     const double inDouble = heightInDouble(steps);

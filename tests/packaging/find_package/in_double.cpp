@@ -9,7 +9,6 @@ double heightInDouble(int steps)
     World world;
     Body ball = world.createBody({.position = {0, 100}, .linearVelocity = {0, 0.1}});
     ball.createShape({.geometry = Circle{.radius = 0.3}});
-    for (int i = 0; i < steps; ++i)
-        world.step();
+    for (int i = 0; i < steps; ++i) world.step();
     return ball.position().y;
 }

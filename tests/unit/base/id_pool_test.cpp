@@ -11,10 +11,8 @@ TEST(IdPool, TakesTheLowestFreeSlotFirst)
 {
     TRACES("ADR6");
     IdPool<BodyId> pool(7);
-    for (std::uint32_t i = 0; i < 5; ++i)
-        EXPECT_EQ(pool.take().index, i);
-    for (const std::uint32_t slot : {3u, 0u, 4u})
-        pool.giveBack(slot);
+    for (std::uint32_t i = 0; i < 5; ++i) EXPECT_EQ(pool.take().index, i);
+    for (const std::uint32_t slot : {3u, 0u, 4u}) pool.giveBack(slot);
     EXPECT_EQ(pool.take().index, 0u);
     EXPECT_EQ(pool.take().index, 3u);
     EXPECT_EQ(pool.take().index, 4u);

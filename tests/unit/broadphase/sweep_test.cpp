@@ -61,9 +61,8 @@ TEST(Sweep, ForgetsTheOrderInWhichBoxesWereGiven)
 TEST(Sweep, TouchingEdgesAreAPairAndBoxesAtRestAreNone)
 {
     TRACES("T5");
-    std::vector<SweepBox> boxes{{{{0, 0}, {1, 1}}, 0, 0, true},
-                                {{{1, 0}, {2, 1}}, 1, 1, false},
-                                {{{1.5, 0}, {3, 1}}, 2, 2, false}};
+    std::vector<SweepBox> boxes{
+        {{{0, 0}, {1, 1}}, 0, 0, true}, {{{1, 0}, {2, 1}}, 1, 1, false}, {{{1.5, 0}, {3, 1}}, 2, 2, false}};
     std::vector<ShapePair> pairs;
     sweepPairs(boxes, pairs);
     EXPECT_EQ(pairs, (std::vector<ShapePair>{{0, 1}}));

@@ -27,8 +27,7 @@ inline Polygon rawPolygon(std::span<const Vec2> vertices, double radius = 0)
 {
     Polygon polygon;
     polygon.radius = static_cast<real>(radius);
-    for (const Vec2 p : vertices)
-        polygon.vertices[static_cast<std::size_t>(polygon.count++)] = p;
+    for (const Vec2 p : vertices) polygon.vertices[static_cast<std::size_t>(polygon.count++)] = p;
     return polygon;
 }
 

@@ -99,8 +99,7 @@ TEST(Mass, OfEverySampleAgreesWithNumericIntegration)
     for (const Geometry& shape : sampleShapes()) {
         const auto inside = [&](double x, double y) { return distanceFrom(shape, {x, y}) <= 0; };
         const auto end = [&](double x, double in, double out) {
-            for (int i = 0; i < 40; ++i)
-                (inside(x, (in + out) / 2) ? in : out) = (in + out) / 2;
+            for (int i = 0; i < 40; ++i) (inside(x, (in + out) / 2) ? in : out) = (in + out) / 2;
             return in;
         };
         double area0 = 0, momentX = 0, momentY = 0, second = 0;

@@ -23,8 +23,7 @@ TEST(Shapes, ABoxIsAsWideAndHighAsAsked)
     ASSERT_EQ(box.count, 4);
     EXPECT_EQ(box.radius, real(0.25));
     const std::vector<Vec2> expected = {vec(-1.5, -0.5), vec(1.5, -0.5), vec(1.5, 0.5), vec(-1.5, 0.5)};
-    for (std::size_t i = 0; i < 4; ++i)
-        EXPECT_EQ(box.points()[i], expected[i]) << i;
+    for (std::size_t i = 0; i < 4; ++i) EXPECT_EQ(box.points()[i], expected[i]) << i;
 }
 
 TEST(Shapes, ARegularPolygonHasItsCornersOnACircleFromAngleZero)
@@ -100,8 +99,7 @@ TEST(Shapes, TheMakersExplainWhatTheyRefuse)
     const std::vector<Vec2> two = {vec(0, 0), vec(1, 0)}, same = {vec(1, 2), vec(1, 2), vec(1, 2)},
                             line = {vec(0, 0), vec(1, 1), vec(2, 2)}, bad = {vec(0, 0), {nan, 0}, vec(0, 1)};
     std::vector<Vec2> ring;
-    for (int i = 0; i < 40; ++i)
-        ring.push_back(vec(std::cos(i * kTwoPi / 40), std::sin(i * kTwoPi / 40)));
+    for (int i = 0; i < 40; ++i) ring.push_back(vec(std::cos(i * kTwoPi / 40), std::sin(i * kTwoPi / 40)));
     const std::vector<Refusal> cases = {
         {[] { makeBox(-1, 2); }, "makeBox.width = -1: must be finite and > 0 m"},
         {[=] { makeBox(1, nan); }, "makeBox.height = nan: must be finite and > 0 m"},

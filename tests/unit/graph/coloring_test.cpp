@@ -18,7 +18,8 @@ int runsWithoutRepeats(const std::vector<RowPair>& pairs, const std::vector<bool
     std::set<std::uint32_t> seen;
     std::uint32_t last = 0;
     for (const std::uint32_t i : order) {
-        const bool repeats = (movable[pairs[i].a] && seen.count(pairs[i].a)) || (movable[pairs[i].b] && seen.count(pairs[i].b));
+        const bool repeats = (movable[pairs[i].a] && seen.count(pairs[i].a)) ||
+                             (movable[pairs[i].b] && seen.count(pairs[i].b));
         if (repeats || i < last) {
             ++runs;
             seen.clear();
@@ -38,7 +39,8 @@ TEST(Coloring, NoColorHoldsABodyTwice)
     std::vector<RowPair> pairs;
     std::vector<int> degree(60, 0);
     for (int i = 0; i < 150; ++i) {
-        const std::uint32_t a = i % 4 == 0 ? 0 : std::uint32_t(random() % 60), b = std::uint32_t(1 + random() % 59);
+        const std::uint32_t a = i % 4 == 0 ? 0 : std::uint32_t(random() % 60),
+                            b = std::uint32_t(1 + random() % 59);
         if (a == b) continue;
         pairs.push_back({a, b});
         ++degree[a];

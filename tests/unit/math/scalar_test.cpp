@@ -33,8 +33,7 @@ double worstOfSinCos(double range)
     std::mt19937_64 random(1);
     std::uniform_real_distribution<double> angles(-range, range);
     double worst = 0;
-    for (int i = 0; i < kSamples; ++i)
-        worst = std::max(worst, errorOfSinCos(angles(random)));
+    for (int i = 0; i < kSamples; ++i) worst = std::max(worst, errorOfSinCos(angles(random)));
     return worst;
 }
 
@@ -157,8 +156,7 @@ TEST(WrappedAngles, NeverReachTheFullTurn)
 TEST(WrappedAngles, StayAsTheyAreWithinTheTurn)
 {
     TRACES("R4");
-    for (double angle = 0; angle < kTwoPi; angle += 0.013)
-        EXPECT_EQ(wrapAngle(angle), angle);
+    for (double angle = 0; angle < kTwoPi; angle += 0.013) EXPECT_EQ(wrapAngle(angle), angle);
 }
 
 // The value was computed once with g++ -O0; any other compiler, optimisation or processor must agree.

@@ -13,7 +13,10 @@ namespace {
 
 constexpr double kTolerance = std::is_same_v<real, double> ? 1e-12 : 2e-5;  // rounding at a few meters
 
-Convex convexOf(const Geometry& geometry) { return makeConvex(geometry, {}, {}, {}); }
+Convex convexOf(const Geometry& geometry)
+{
+    return makeConvex(geometry, {}, {}, {});
+}
 Pose poseAt(double x, double y, double angle)
 {
     return {{static_cast<real>(x), static_cast<real>(y)}, Rot::ofAngle(angle)};
@@ -34,16 +37,20 @@ double distanceByDefinition(const PlacedCore& a, const PlacedCore& b)
     const auto measure = [&](const PlacedCore& points, const PlacedCore& edges) {
         for (int i = 0; i < points.count; ++i)
             for (int k = 0; k < edges.count; ++k)
-                least = std::min(least, pointToSegment(toDVec2(points.vertices[i]), toDVec2(edges.vertices[k]),
-                                                       toDVec2(edges.vertices[edges.next(k)])));
+                least =
+                    std::min(least, pointToSegment(toDVec2(points.vertices[i]), toDVec2(edges.vertices[k]),
+                                                   toDVec2(edges.vertices[edges.next(k)])));
     };
     measure(a, b);
     measure(b, a);
     return least;
 }
 
-const Geometry kShapes[] = {Circle{{}, real(0.5)}, Capsule{{real(-0.6), 0}, {real(0.6), real(0.1)}, real(0.2)},
-                            Segment{{-1, 0}, {1, real(0.2)}, 0}, makeBox(1, real(0.6)), makeBox(1, 1, real(0.1)),
+const Geometry kShapes[] = {Circle{{}, real(0.5)},
+                            Capsule{{real(-0.6), 0}, {real(0.6), real(0.1)}, real(0.2)},
+                            Segment{{-1, 0}, {1, real(0.2)}, 0},
+                            makeBox(1, real(0.6)),
+                            makeBox(1, 1, real(0.1)),
                             makeRegularPolygon(7, real(0.8))};
 
 TEST(Separation, OfShapesApartIsTheDistanceOfTheirNearestPoints)
@@ -116,7 +123,8 @@ TEST(Manifold, OfABoxOnABoxHasTheEndsOfTheSharedEdge)
     closestManifold(wide, below, small, above, real(1e-4), m);
     ASSERT_EQ(m.count, 2);
     EXPECT_NEAR(m.normal.y, 1, kTolerance);
-    const double x0 = static_cast<double>(m.points[0].localA.x), x1 = static_cast<double>(m.points[1].localA.x);
+    const double x0 = static_cast<double>(m.points[0].localA.x),
+                 x1 = static_cast<double>(m.points[1].localA.x);
     EXPECT_NEAR(std::min(x0, x1), 1.3, kTolerance);  // the small box's left corner
     EXPECT_NEAR(std::max(x0, x1), 2.0, kTolerance);  // the wide box's right corner
 }

@@ -9,7 +9,10 @@
 namespace tamias2d {
 namespace {
 
-Convex convexOf(const Geometry& geometry) { return makeConvex(geometry, {}, {}, {}); }
+Convex convexOf(const Geometry& geometry)
+{
+    return makeConvex(geometry, {}, {}, {});
+}
 
 Trajectory path(double x, double y, double angle, double vx, double vy, double spin)
 {
@@ -31,16 +34,18 @@ TEST(Swept, NoPairThatMeetsIsMissed)
 {
     TRACES("T5", "R7");
     std::mt19937 random(11);
-    std::uniform_real_distribution<double> place(-1.5, 1.5), speed(-400, 400), spin(-200, 200), turn(0, kTwoPi);
+    std::uniform_real_distribution<double> place(-1.5, 1.5), speed(-400, 400), spin(-200, 200),
+        turn(0, kTwoPi);
     const double dt = 1.0 / 240;
     int met = 0;
     for (int trial = 0; trial < 3000; ++trial) {
         const Convex a = convexOf(kShapes[random() % 5]), b = convexOf(kShapes[random() % 5]);
         const double w = trial % 2 == 0 ? 0.0 : 1.0;
-        const SweptPair pair{a, b,
-                             path(place(random), place(random), turn(random), speed(random), speed(random), w * spin(random)),
-                             path(place(random), place(random), turn(random), speed(random), speed(random), w * spin(random)),
-                             real(1e-4)};
+        const SweptPair pair{
+            a, b,
+            path(place(random), place(random), turn(random), speed(random), speed(random), w * spin(random)),
+            path(place(random), place(random), turn(random), speed(random), speed(random), w * spin(random)),
+            real(1e-4)};
         if (gapAt(pair, 0) < real(1e-3)) continue;  // start apart
         bool meets = false;
         for (int i = 0; i <= 400 && !meets; ++i)
@@ -89,15 +94,18 @@ TEST(Swept, TheBoundsHoldTheShapeAllTheWay)
     std::uniform_real_distribution<double> place(-3, 3), speed(-100, 100), spin(-100, 100);
     for (int trial = 0; trial < 300; ++trial) {
         const Convex shape = convexOf(kShapes[random() % 5]);
-        const Trajectory way = path(place(random), place(random), 1, speed(random), speed(random), spin(random));
+        const Trajectory way =
+            path(place(random), place(random), 1, speed(random), speed(random), spin(random));
         const real dt = real(1.0 / 60);
         const Aabb box = sweptBounds(shape, way, {}, 0, dt, real(1e-4));
         for (int i = 0; i <= 50; ++i) {
             const PlacedCore core(shape, way.at(dt * real(i) / 50));
             for (int k = 0; k < core.count; ++k) {
-                const double x = static_cast<double>(core.vertices[k].x), y = static_cast<double>(core.vertices[k].y);
+                const double x = static_cast<double>(core.vertices[k].x),
+                             y = static_cast<double>(core.vertices[k].y);
                 const double r = static_cast<double>(shape.radius);
-                EXPECT_TRUE(box.lower.x <= x - r && x + r <= box.upper.x && box.lower.y <= y - r && y + r <= box.upper.y)
+                EXPECT_TRUE(box.lower.x <= x - r && x + r <= box.upper.x && box.lower.y <= y - r &&
+                            y + r <= box.upper.y)
                     << "trial " << trial << ", vertex " << k << " at (" << x << ", " << y << ")";
             }
         }
