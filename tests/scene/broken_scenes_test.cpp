@@ -7,6 +7,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -246,6 +247,49 @@ TEST(BrokenScene, FilesThatCannotBeReadAreTold)
     EXPECT_EQ(messageOfOpening("/"), "/: cannot be read, or is empty");
     EXPECT_EQ(messageOfOpening("pyramyd:base=3"),
               "pyramyd:base=3: is neither a file nor a built-in scene; did you mean \"pyramid\"?");
+}
+
+TEST(BrokenScene, AnyDamageIsAnErrorOrAnotherSceneAndNothingWorse)
+{
+    TRACES("R4", "ADR12");
+    const std::string good =
+        R"({"tamias2d": 1, "title": "t\u00e4", "run": {"rate": 60}, "view": {"lower": [0, 0], "upper": [1, 1]},
+        "builtin": {"name": "stack", "boxes": 2}, "world": {"gravity": [0, -9.81], "tuning": {"restGap": 0.001}},
+        "bodies": [{"name": "b", "type": "dynamic", "position": [0, 9], "mass": {"mass": 1}, "gravity": null,
+        "forces": [{"force": [1, 2]}], "laws": [{"law": "drag", "linear": 1}], "shapes": [
+        {"polygon": {"vertices": [[0, 0], [1, 0], [0, 1]]}, "filter": {"mask": 18446744073709551615}},
+        {"capsule": {"a": [0, 0], "b": [1, 0]}, "frictionMixing": "maximum"}, {"regularPolygon": {"count": 5}}]}],
+        "laws": [{"law": "springTo", "point": [0, 0], "stiffness": 1, "body": 0}]})";
+    ASSERT_EQ(messageOf(good), "(no error)");
+
+    // One to three bytes replaced, removed or doubled, by numbers that are the same everywhere (MINSTD).
+    std::uint32_t state = 1;
+    const auto next = [&](std::size_t below) {
+        state = static_cast<std::uint32_t>(std::uint64_t{state} * 48271 % 2147483647);
+        return static_cast<std::size_t>(state) % below;
+    };
+    constexpr char kBytes[] = "{}[]\",:.-+eE0123456789\\ tnu/\xff\x01";
+    int errors = 0;
+    for (int i = 0; i < 4000; ++i) {
+        std::string text = good;
+        for (std::size_t damage = 1 + next(3); damage > 0; --damage) {
+            const std::size_t at = next(text.size());
+            switch (next(3)) {
+            case 0:
+                text[at] = kBytes[next(sizeof kBytes - 1)];
+                break;
+            case 1:
+                text.erase(at, 1 + next(8));
+                break;
+            default:
+                text.insert(at, text.substr(at, 1 + next(8)));
+                break;
+            }
+        }
+        errors += messageOf(text) == "(no error)" ? 0 : 1;  // anything but a SceneError ends the test
+    }
+    EXPECT_GT(errors, 3000);
+    EXPECT_LT(errors, 4000);
 }
 
 TEST(BrokenScene, ANumberTooLargeForFloatIsRefusedInFloatOnly)

@@ -114,7 +114,8 @@ TEST(BuiltinScenes, ASceneFileMayOverruleTheWorldAndAddBodies)
         "builtin": {"name": "stack", "boxes": 2}, "run": {"rate": 120},
         "world": {"gravity": [0, -1], "tuning": {"restGap": 0.01}},
         "bodies": [{"name": "hammer", "position": [0, 9], "shapes": [{"circle": {}}]}],
-        "laws": [{"law": "drag", "linear": 0.1, "body": "box 2"}, {"law": "drag", "linear": 0.2, "body": 3}]})");
+        "laws": [{"law": "drag", "linear": 0.1, "body": "box 2"},
+                 {"law": "drag", "linear": 0.2, "body": 3}]})");
     EXPECT_EQ(scene.info.title, "Mine");
     EXPECT_EQ(scene.info.rate, 120);
     EXPECT_EQ(scene.world->definition().gravity, vec(0, -1));
