@@ -6,9 +6,8 @@
 
 namespace tamias2d::inline TAMIAS_PRECISION {
 
-PlacedPoint placePoint(const Contact& contact, const ManifoldPoint& anchor, Rot qA, Rot qB, Vec2 d)
+PlacedPoint placePoint(const Contact& contact, Vec2 n, const ManifoldPoint& anchor, Rot qA, Rot qB, Vec2 d)
 {
-    const Vec2 n = contact.normal;
     const Vec2 surfaceA = rotate(qA, anchor.localA) + contact.radiusA * n;  // from the center of A
     const Vec2 surfaceB = rotate(qB, anchor.localB) - contact.radiusB * n;  // from the center of B
     const real separation = dot(n, d + surfaceB - surfaceA);
@@ -28,7 +27,7 @@ void prepareContact(Contact& contact, const Motion& a, const Motion& b)
     const Vec2 n = contact.normal, t = perpendicular(n);
     for (int i = 0; i < contact.count; ++i) {
         ContactPointRow& point = contact.points[i];
-        const PlacedPoint placed = placePoint(contact, point.anchor, a.rotation, b.rotation, d);
+        const PlacedPoint placed = placePoint(contact, n, point.anchor, a.rotation, b.rotation, d);
         point.armA = placed.armA;
         point.armB = placed.armB;
         point.gap = placed.gap;
@@ -37,7 +36,8 @@ void prepareContact(Contact& contact, const Motion& a, const Motion& b)
     }
     if (contact.count == 2) {
         const ContactPointRow &p = contact.points[0], &q = contact.points[1];
-        contact.crossMass = (a.invMass.x + b.invMass.x) * n.x * n.x + (a.invMass.y + b.invMass.y) * n.y * n.y +
+        contact.crossMass = (a.invMass.x + b.invMass.x) * n.x * n.x +
+                            (a.invMass.y + b.invMass.y) * n.y * n.y +
                             a.invInertia * cross(p.armA, n) * cross(q.armA, n) +
                             b.invInertia * cross(p.armB, n) * cross(q.armB, n);
     }
@@ -82,20 +82,37 @@ Vec2 relativeVelocity(const ContactPointRow& point, const Motion& a, const Motio
     return velocityAt(b, point.armB) - velocityAt(a, point.armA);
 }
 
-// What only impacts may stop: the elastic, unloaded, fast approach, and whatever an impact has just
-// settled in this tick. Not so once the point is squeezed: left to impacts for ever it would sink.
+// An approach that only the next impact pass may stop: it is elastic, unloaded and fast. Not so once
+// the point is squeezed: left to impacts for ever it would sink.
 bool isLeftToImpacts(const Contact& contact, const ContactPointRow& point, real normalSpeed, real threshold,
                      const StepContext& context)
 {
-    if (point.wasLoaded || contact.impacts >= context.tuning.impactsPerContact || point.gap <= -contact.restGap / 2)
-        return false;
-    return contact.impacts > 0 || (contact.restitution > 0 && normalSpeed < -threshold);
+    return contact.restitution > 0 && !point.wasLoaded &&
+           contact.impacts < context.tuning.impactsPerContact && point.gap > -contact.restGap / 2 &&
+           normalSpeed < -threshold;
 }
 
 // Normal speed the point may not fall below: it may close its gap within the tick and no more.
 real allowedApproach(const ContactPointRow& point, const StepContext& context)
 {
     return point.gap > 0 ? point.gap * context.invH : real(0);
+}
+
+// Has an impact in this tick settled the contact? At its time it has; seen from the start of the tick
+// there remains what the bodies turn in between, and that is no approach.
+bool isSettledByImpact(const Contact& contact, const Motion& a, const Motion& b, const StepContext& context)
+{
+    if (contact.impacts == 0 || contact.impacts >= context.tuning.impactsPerContact) return false;
+    for (int i = 0; i < contact.count; ++i) {
+        const ContactPointRow& point = contact.points[i];
+        if (point.wasLoaded || point.gap <= -contact.restGap / 2) return false;
+        const Vec2 v = relativeVelocity(point, a, b);
+        const real turn = context.h * (absolute(a.spin) + absolute(b.spin));
+        const real rim = absolute(a.spin) * length(point.armA) + absolute(b.spin) * length(point.armB);
+        if (dot(contact.normal, v) + allowedApproach(point, context) < -turn * (length(v) + rim))
+            return false;
+    }
+    return true;
 }
 
 real solveNormalsAsBlock(Contact& contact, Motion& a, Motion& b, const StepContext& context, bool& solved)
@@ -127,7 +144,8 @@ real solveNormal(Contact& contact, ContactPointRow& point, Motion& a, Motion& b,
     if (isLeftToImpacts(contact, point, normalSpeed, threshold, context)) return 0;
 
     // Contacts push and never pull: it is the running total that stays non-negative.
-    const real wanted = point.normalImpulse - (normalSpeed + allowedApproach(point, context)) / point.normalMass;
+    const real wanted =
+        point.normalImpulse - (normalSpeed + allowedApproach(point, context)) / point.normalMass;
     const real total = maximum(wanted, real(0));
     const real change = total - point.normalImpulse;
     applyImpulse(a, b, point.armA, point.armB, change * n);
@@ -165,8 +183,9 @@ void solveRolling(Contact& contact, Motion& a, Motion& b)
 real solveContact(Contact& contact, Motion& a, Motion& b, const StepContext& context)
 {
     if (contact.count == 0 || !(contact.points[0].normalMass > 0)) return 0;
-    const bool resting = (contact.restitution <= 0 && contact.impacts == 0) ||
-                         (contact.points[0].wasLoaded && contact.points[1].wasLoaded);
+    if (isSettledByImpact(contact, a, b, context)) return 0;
+    const bool resting =
+        contact.restitution <= 0 || (contact.points[0].wasLoaded && contact.points[1].wasLoaded);
 
     real change = 0;
     bool solved = false;
@@ -181,19 +200,19 @@ real solveContact(Contact& contact, Motion& a, Motion& b, const StepContext& con
     return change;
 }
 
-void addSteady(const Contact& contact, Motion& a, Motion& b, real sign)
+void addSteady(const Contact& contact, Motion& a, Motion& b)
 {
     const Vec2 n = contact.normal, t = perpendicular(n);
     for (int i = 0; i < contact.count; ++i) {
         const ContactPointRow& point = contact.points[i];
-        const Vec2 impulse = sign * (point.normalImpulse * n + point.tangentImpulse * t);
+        const Vec2 impulse = point.normalImpulse * n + point.tangentImpulse * t;
         a.steady -= {a.invMass.x * impulse.x, a.invMass.y * impulse.y};
         a.steadySpin -= a.invInertia * cross(point.armA, impulse);
         b.steady += {b.invMass.x * impulse.x, b.invMass.y * impulse.y};
         b.steadySpin += b.invInertia * cross(point.armB, impulse);
     }
-    a.steadySpin -= sign * a.invInertia * contact.rollingImpulse;
-    b.steadySpin += sign * b.invInertia * contact.rollingImpulse;
+    a.steadySpin -= a.invInertia * contact.rollingImpulse;
+    b.steadySpin += b.invInertia * contact.rollingImpulse;
 }
 
 namespace {
@@ -206,7 +225,8 @@ void applyPush(const Motion& m, Push& push, Vec2 arm, Vec2 impulse, real sign)
 
 // Speed asked of the push at a point, as its bias. It aims a little beyond the rest gap, so that a
 // corner at rest does not flicker between pushed and not.
-real pushBias(const Contact& contact, const ContactPointRow& point, const StepContext& context, ClampCounts& clamps)
+real pushBias(const Contact& contact, const ContactPointRow& point, const StepContext& context,
+              ClampCounts& clamps)
 {
     const real gap = point.gap + context.tuning.pushSlack * contact.restGap;
     if (gap > 0) return gap * context.invH;

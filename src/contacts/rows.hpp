@@ -15,9 +15,10 @@ struct PlacedPoint {
     real gap;          ///< beyond the rest gap        [m]
 };
 
-/// The point for rotations `qA`, `qB` and centers `d` = B - A apart. Both arms lead to one place, so
-/// that no impulse at it changes the angular momentum of the two [GD1].
-PlacedPoint placePoint(const Contact& contact, const ManifoldPoint& anchor, Rot qA, Rot qB, Vec2 d);
+/// The point along `normal`, for rotations `qA`, `qB` and centers `d` = B - A apart. Both arms lead to one
+/// place, so that no impulse at it changes the angular momentum of the two [GD1].
+PlacedPoint placePoint(const Contact& contact, Vec2 normal, const ManifoldPoint& anchor, Rot qA, Rot qB,
+                       Vec2 d);
 
 /// Arms, gaps and effective masses at the present poses.
 void prepareContact(Contact& contact, const Motion& a, const Motion& b);
@@ -40,8 +41,8 @@ struct Push {
 void pushContact(Contact& contact, const Motion& a, const Motion& b, Push& pushA, Push& pushB,
                  const StepContext& context, ClampCounts& clamps);
 
-/// Adds (`sign` = 1) or takes away (-1) the velocity changes of the impulses the contact carries.
-void addSteady(const Contact& contact, Motion& a, Motion& b, real sign);
+/// Adds the velocity changes of the impulses the contact carries.
+void addSteady(const Contact& contact, Motion& a, Motion& b);
 
 /// Applies an impulse to B at its arm, and its opposite to A [T2].
 void applyImpulse(Motion& a, Motion& b, Vec2 armA, Vec2 armB, Vec2 impulse);

@@ -29,8 +29,8 @@ std::uint32_t featureOf(const ClipEnd& end, bool faceOnA, int face)
 
 }  // namespace
 
-bool faceManifold(const Convex& a, const Pose& poseA, const Convex& b, const Pose& poseB, bool faceOnA, int face,
-                  bool force, Manifold& manifold)
+bool faceManifold(const Convex& a, const Pose& poseA, const Convex& b, const Pose& poseB, bool faceOnA,
+                  int face, bool force, Manifold& manifold)
 {
     const Pose& referencePose = faceOnA ? poseA : poseB;
     const Pose& incidentPose = faceOnA ? poseB : poseA;
@@ -84,12 +84,14 @@ bool faceManifold(const Convex& a, const Pose& poseA, const Convex& b, const Pos
         point.localA = inverseRotate(poseA.q, onA - poseA.p);
         point.localB = inverseRotate(poseB.q, onB - poseB.p);
         point.cornerOnA = faceOnA == (end.clippedAt != 0);
+        point.roundOnRound = false;
         point.feature = featureOf(end, faceOnA, face);
     }
     return true;
 }
 
-Separation coreSeparation(const Convex& a, const Pose& poseA, const Convex& b, const Pose& poseB, real preference)
+Separation coreSeparation(const Convex& a, const Pose& poseA, const Convex& b, const Pose& poseB,
+                          real preference)
 {
     const PlacedCore coreA(a, poseA), coreB(b, poseB);
     const bool sharp = a.faces() > 0 && b.faces() > 0 && a.radius + b.radius <= 0 && a.count + b.count > 4;
@@ -111,6 +113,7 @@ void closestManifold(const Convex& a, const Pose& poseA, const Convex& b, const 
     point.localA = a.vertices[nearest.featureA];
     point.localB = b.vertices[nearest.featureB];
     point.cornerOnA = a.radius > b.radius;  // on the rounder one: its turning must not lever on the other
+    point.roundOnRound = a.radius + b.radius > 0;
     point.feature = static_cast<std::uint32_t>(nearest.featureA | (nearest.featureB << 4) | (1 << 12));
 }
 

@@ -11,6 +11,7 @@ namespace tamias2d::inline TAMIAS_PRECISION {
 struct ManifoldPoint {
     Vec2 localA, localB;        ///< in the body's frame, about its center of mass   [m]
     bool cornerOnA = false;     ///< whose corner it is; the other side slides past it
+    bool roundOnRound = false;  ///< two roundings: the normal runs through both points
     std::uint32_t feature = 0;  ///< which corner and face; stays the same while they meet
 };
 
@@ -25,8 +26,8 @@ struct Manifold {
 
 /// The manifold of a reference face and the edge that faces it, clipped. False if that edge lies
 /// beyond the ends of the face; with `force` it then has the one point nearest to it.
-bool faceManifold(const Convex& a, const Pose& poseA, const Convex& b, const Pose& poseB, bool faceOnA, int face,
-                  bool force, Manifold& manifold);
+bool faceManifold(const Convex& a, const Pose& poseA, const Convex& b, const Pose& poseB, bool faceOnA,
+                  int face, bool force, Manifold& manifold);
 
 /// The manifold of the closest features, at one pose.
 void closestManifold(const Convex& a, const Pose& poseA, const Convex& b, const Pose& poseB, real preference,

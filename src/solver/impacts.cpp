@@ -42,6 +42,7 @@ struct Impact {
 
 // Two bodies and a point between them at one moment.
 struct Moment {
+    Vec2 normal;
     PlacedPoint place;
     Vec2 velocityA, velocityB;
     real spinA, spinB;
@@ -110,11 +111,20 @@ Moment ImpactSolver::momentAt(const Contact& c, const ManifoldPoint& anchor, rea
         const real turn = f.turned + t * f.spin + t * t / 2 * f.spinRate;
         return turn == 0 ? m.rotation : Rot::ofAngle(m.angle + static_cast<double>(turn));
     };
-    const auto shiftOf = [t](const Flight& f) { return f.offset + t * f.velocity + (t * t / 2) * f.acceleration; };
+    const auto shiftOf = [t](const Flight& f) {
+        return f.offset + t * f.velocity + (t * t / 2) * f.acceleration;
+    };
 
     Moment moment;
     const Vec2 d = toVec2(b.center - a.center) + shiftOf(fb) - shiftOf(fa);
-    moment.place = placePoint(c, anchor, rotationOf(a, fa), rotationOf(b, fb), d);
+    const Rot qA = rotationOf(a, fa), qB = rotationOf(b, fb);
+    moment.normal = c.normal;
+    if (anchor.roundOnRound) {
+        const Vec2 between = d + rotate(qB, anchor.localB) - rotate(qA, anchor.localA);
+        const real distance = length(between);
+        if (distance > 0) moment.normal = (1 / distance) * between;
+    }
+    moment.place = placePoint(c, moment.normal, anchor, qA, qB, d);
     moment.velocityA = fa.velocity + t * fa.acceleration;
     moment.velocityB = fb.velocity + t * fb.acceleration;
     moment.spinA = fa.spin + t * fa.spinRate;
@@ -136,7 +146,9 @@ void ImpactSolver::placePoints(std::size_t i)
         const Moment at = momentAt(c, c.points[k].anchor, c.time);
         const Flight &fa = flights_[c.rowA], &fb = flights_[c.rowB];
         const real t = c.time;
-        const auto shiftOf = [t](const Flight& f) { return f.offset + t * f.velocity + (t * t / 2) * f.acceleration; };
+        const auto shiftOf = [t](const Flight& f) {
+            return f.offset + t * f.velocity + (t * t / 2) * f.acceleration;
+        };
         const auto turnOf = [t](const Flight& f) { return f.turned + t * f.spin + t * t / 2 * f.spinRate; };
         point.armA = at.place.armA;
         point.armB = at.place.armB;
@@ -149,7 +161,8 @@ void ImpactSolver::placePoints(std::size_t i)
 Impact ImpactSolver::nextImpact(std::size_t i, int k)
 {
     const Contact& c = contact(i);
-    if (k >= c.count || c.impacts >= context_.tuning.impactsPerContact || !(c.points[k].normalMass > 0)) return {};
+    if (k >= c.count || c.impacts >= context_.tuning.impactsPerContact || !(c.points[k].normalMass > 0))
+        return {};
     const ImpactPoint& point = points_[2 * i + static_cast<std::size_t>(k)];
     const Motion &a = motion(c.rowA), &b = motion(c.rowB);
     const Flight &fa = flights_[c.rowA], &fb = flights_[c.rowB];
@@ -197,7 +210,7 @@ real ImpactSolver::refined(const Contact& c, const ManifoldPoint& anchor, real t
 {
     for (int i = 0; i < 3; ++i) {
         const Moment moment = momentAt(c, anchor, t);
-        const real speed = dot(c.normal, moment.relative());
+        const real speed = dot(moment.normal, moment.relative());
         if (absolute(moment.place.gap) < real(0.001) * c.restGap || !(speed < 0)) break;
         t = clamp(t - moment.place.gap / speed, earliest, context_.h);
     }
@@ -233,15 +246,15 @@ void ImpactSolver::applyAt(const Contact& c, const PlacedPoint& place, Vec2 impu
 real ImpactSolver::frictionImpulse(Contact& c, const Moment& moment, real normalImpulse, real t)
 {
     if (!(c.friction > 0)) return 0;
-    const Vec2 tangent = perpendicular(c.normal);
+    const Vec2 tangent = perpendicular(moment.normal);
     const real mass = compliance(motion(c.rowA), moment.place.armA, tangent) +
                       compliance(motion(c.rowB), moment.place.armB, tangent);
     if (!(mass > 0)) return 0;
     const Flight &fa = flights_[c.rowA], &fb = flights_[c.rowB];
     const Vec2 vA = fa.velocity + t * fa.acceleration, vB = fb.velocity + t * fb.acceleration;
     const real wA = fa.spin + t * fa.spinRate, wB = fb.spin + t * fb.spinRate;
-    const real slip = dot(tangent, vB + cross(wB, moment.place.armB) - vA - cross(wA, moment.place.armA)) +
-                      c.surfaceSpeed;
+    const real slip =
+        dot(tangent, vB + cross(wB, moment.place.armB) - vA - cross(wA, moment.place.armA)) + c.surfaceSpeed;
     const real impulse = clamp(-slip / mass, -c.friction * normalImpulse, c.friction * normalImpulse);
     applyAt(c, moment.place, impulse * tangent, t);
     return impulse;
@@ -259,10 +272,10 @@ void ImpactSolver::record(Contact& c, const Moment& before, real normalImpulse, 
     hit.time = context_.time + static_cast<double>(tickStart_) + static_cast<double>(t);
     const Vec2 shift = fa.offset + t * fa.velocity + (t * t / 2) * fa.acceleration;
     hit.point = a.center + toDVec2(shift) + toDVec2(before.place.armA);
-    hit.normal = c.normal;
+    hit.normal = before.normal;
     hit.armA = before.place.armA;
     hit.armB = before.place.armB;
-    hit.approachSpeed = -dot(c.normal, before.relative());
+    hit.approachSpeed = -dot(before.normal, before.relative());
     hit.restitution = restitution;
     hit.normalImpulse = normalImpulse;
     hit.tangentImpulse = tangentImpulse;
@@ -271,17 +284,17 @@ void ImpactSolver::record(Contact& c, const Moment& before, real normalImpulse, 
     hit.angularVelocityA = before.spinA;
     hit.angularVelocityB = before.spinB;
     hit.group = stage_.groups;
-    c.stepImpulse += normalImpulse * c.normal + tangentImpulse * perpendicular(c.normal);
+    c.stepImpulse += normalImpulse * before.normal + tangentImpulse * perpendicular(before.normal);
     stage_.records.push_back(entry);
 }
 
 // DD8 at one point, then Coulomb.
 void ImpactSolver::processOne(Contact& c, int k, const Moment& moment, real t, real restitution)
 {
-    const real mass = compliance(motion(c.rowA), moment.place.armA, c.normal) +
-                      compliance(motion(c.rowB), moment.place.armB, c.normal);
-    const real impulse = -(1 + restitution) * dot(c.normal, moment.relative()) / mass;
-    applyAt(c, moment.place, impulse * c.normal, t);
+    const real mass = compliance(motion(c.rowA), moment.place.armA, moment.normal) +
+                      compliance(motion(c.rowB), moment.place.armB, moment.normal);
+    const real impulse = -(1 + restitution) * dot(moment.normal, moment.relative()) / mass;
+    applyAt(c, moment.place, impulse * moment.normal, t);
     const real friction = frictionImpulse(c, moment, impulse, t);
     c.points[k].stepNormal += impulse;
     c.points[k].stepTangent += friction;
@@ -339,7 +352,7 @@ bool ImpactSolver::process(std::size_t i)
         k = point;
         t = refined(c, c.points[k].anchor, impacts[k].time, earliest);
         moment = momentAt(c, c.points[k].anchor, t);
-        if (dot(c.normal, moment.relative()) < 0) break;
+        if (dot(moment.normal, moment.relative()) < 0) break;
         t = kNever;
     }
     if (t == kNever) return false;
@@ -480,14 +493,11 @@ void resweepForTick(ImpactStage& stage, const StepContext& context)
 {
     for (Contact& c : stage.contacts.rows) {
         if (!c.swept) continue;
-        Motion &a = stage.motions.rows[c.rowA], &b = stage.motions.rows[c.rowB];
-        addSteady(c, a, b, -1);
+        const Motion &a = stage.motions.rows[c.rowA], &b = stage.motions.rows[c.rowB];
         const SweptPair pair = sweptPairOf(c, stage.world.shapes, a, b, context.invH);
         const SweptResult result = collideSwept(pair, 0, context.h);
         stage.clamps.advancement += result.exhausted ? 1 : 0;
         adoptManifold(c, result, real(0.3) * maximum(pair.a.size, pair.b.size));
-        prepareContact(c, a, b);
-        addSteady(c, a, b, 1);
     }
 }
 

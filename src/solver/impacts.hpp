@@ -36,7 +36,7 @@ struct ImpactStage {
 /// Contacts must be prepared at the present poses. docs/theory/contacts.md, section 3.
 void applyImpacts(ImpactStage& stage, const StepContext& context, int tick);
 
-/// Looks again at the swept pairs, over this tick alone; keeps the warm start of both bodies right.
+/// Looks again at the swept pairs, over this tick alone.
 void resweepForTick(ImpactStage& stage, const StepContext& context);
 
 }  // namespace tamias2d::inline TAMIAS_PRECISION

@@ -21,7 +21,17 @@ struct Scratch {
     std::vector<real> unrest;           // by island: greatest change of speed in the last pass   [m/s]
 };
 
-// The warm start of the whole step: what the contacts carry, as velocity changes of the bodies.
+void forgetSums(SolverStage& stage)
+{
+    for (Contact& c : stage.contacts.rows) {
+        c.stepImpulse = {};
+        for (ContactPointRow& point : c.points) point.stepNormal = point.stepTangent = 0;
+    }
+}
+
+// The warm start of the tick: what the contacts carry, as velocity changes of the bodies. Taken with the
+// arms of the present poses: carried over from the tick before, impulses at points that slide would
+// change the angular momentum of the whole.
 void gatherSteady(SolverStage& stage)
 {
     for (Motion& m : stage.motions.rows) {
@@ -29,10 +39,9 @@ void gatherSteady(SolverStage& stage)
         m.steadySpin = 0;
     }
     for (Contact& c : stage.contacts.rows) {
-        c.stepImpulse = {};
-        for (ContactPointRow& point : c.points) point.stepNormal = point.stepTangent = 0;
-        prepareContact(c, stage.motions.rows[c.rowA], stage.motions.rows[c.rowB]);
-        addSteady(c, stage.motions.rows[c.rowA], stage.motions.rows[c.rowB], 1);
+        Motion &a = stage.motions.rows[c.rowA], &b = stage.motions.rows[c.rowB];
+        prepareContact(c, a, b);
+        addSteady(c, a, b);
     }
 }
 
@@ -69,7 +78,8 @@ void solvePasses(SolverStage& stage, const StepContext& context, Scratch& scratc
             if (c.count == 0) continue;
             const std::uint32_t island = islandOf(stage, c);
             if (pass > 0 && !(before[island] > restless)) continue;
-            const real change = solveContact(c, stage.motions.rows[c.rowA], stage.motions.rows[c.rowB], context);
+            const real change =
+                solveContact(c, stage.motions.rows[c.rowA], stage.motions.rows[c.rowB], context);
             scratch.unrest[island] = maximum(scratch.unrest[island], change);
             again = again || change > restless;
         }
@@ -135,7 +145,7 @@ SolverCounts solve(SolverStage& stage, const StepContext& context)
         m.damping = makeDamping(m.moves() ? body.linearDamping : real(0), context.h);
         m.spinDamping = makeDamping(m.moves() ? body.angularDamping : real(0), context.h);
     }
-    gatherSteady(stage);
+    forgetSums(stage);
     const bool varies = stage.field.varies(stage.world.bodies);
 
     Stopwatch watch;
@@ -144,11 +154,12 @@ SolverCounts solve(SolverStage& stage, const StepContext& context)
         scratch.kicks.assign(rows.size(), {});
         scratch.changes.assign(rows.size(), {});
         scratch.pushes.assign(rows.size(), {});
-        if (varies && tick > 0) counts.lawFaults += accelerate(stage.motions, stage.world.bodies, stage.field, time);
+        if (varies && tick > 0)
+            counts.lawFaults += accelerate(stage.motions, stage.world.bodies, stage.field, time);
 
         // Impacts at their times.
         resweepForTick(impacts, context);
-        for (Contact& c : stage.contacts.rows) prepareContact(c, rows[c.rowA], rows[c.rowB]);
+        gatherSteady(stage);
         applyImpacts(impacts, context, tick);
         counts.impactTime += watch.lap();
 
@@ -168,7 +179,8 @@ SolverCounts solve(SolverStage& stage, const StepContext& context)
 
         // Drift, second kick.
         for (std::size_t i = 0; i < rows.size(); ++i) drift(rows[i], scratch.pushes[i], context.h);
-        if (varies) counts.lawFaults += accelerateAfterDrift(stage, context, time + context.dt / context.ticks);
+        if (varies)
+            counts.lawFaults += accelerateAfterDrift(stage, context, time + context.dt / context.ticks);
         for (std::size_t i = 0; i < rows.size(); ++i) {
             Motion& m = rows[i];
             kickSecond(m, scratch.kicks[i]);

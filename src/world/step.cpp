@@ -48,9 +48,10 @@ void gatherMotions(const BodyTable& bodies, const ShapeTable& shapes, MotionTabl
 void predictSteady(const ContactTable& contacts, const ShapeTable& shapes, MotionTable& motions)
 {
     for (const Contact& c : contacts.rows) {
-        const std::uint32_t a = motions.rowOf[shapes.rows[c.shapeA].body], b = motions.rowOf[shapes.rows[c.shapeB].body];
+        const std::uint32_t a = motions.rowOf[shapes.rows[c.shapeA].body],
+                            b = motions.rowOf[shapes.rows[c.shapeB].body];
         if (a == MotionTable::kNone || b == MotionTable::kNone) continue;
-        addSteady(c, motions.rows[a], motions.rows[b], 1);
+        addSteady(c, motions.rows[a], motions.rows[b]);
     }
 }
 

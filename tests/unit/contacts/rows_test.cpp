@@ -16,11 +16,13 @@ TEST(ContactBlock, SolvesTheComplementarityProblemOfTwoPoints)
     std::mt19937 random(1);
     std::uniform_real_distribution<double> stiffness(0.5, 2), residual(-3, 3), coupling(-0.9, 0.9);
     for (int trial = 0; trial < 10000; ++trial) {
-        const double k1 = stiffness(random), k2 = stiffness(random), k12 = coupling(random) * std::sqrt(k1 * k2);
+        const double k1 = stiffness(random), k2 = stiffness(random),
+                     k12 = coupling(random) * std::sqrt(k1 * k2);
         const double r1 = residual(random), r2 = residual(random);
         real x1 = -1, x2 = -1;
         ASSERT_TRUE(solveBlock(real(k1), real(k2), real(k12), real(r1), real(r2), x1, x2));
-        const double w1 = r1 + k1 * double(x1) + k12 * double(x2), w2 = r2 + k12 * double(x1) + k2 * double(x2);
+        const double w1 = r1 + k1 * double(x1) + k12 * double(x2),
+                     w2 = r2 + k12 * double(x1) + k2 * double(x2);
         const double tolerance = std::is_same_v<real, double> ? 1e-11 : 1e-4;
         EXPECT_GE(x1, 0);
         EXPECT_GE(x2, 0);
@@ -52,7 +54,8 @@ TEST(ContactPoint, BothArmsLeadToOnePlace)
         c.radiusB = real(0.3);
         ManifoldPoint anchor{vec(), vec(), trial % 2 == 0, 0};
         const Vec2 d = 3 * vec();
-        const PlacedPoint p = placePoint(c, anchor, Rot::ofAngle(any(random)), Rot::ofAngle(any(random)), d);
+        const PlacedPoint p =
+            placePoint(c, c.normal, anchor, Rot::ofAngle(any(random)), Rot::ofAngle(any(random)), d);
         EXPECT_NEAR(length(p.armA - (p.armB + d)), 0, 1e-5) << "trial " << trial;
     }
 }
@@ -72,7 +75,8 @@ TEST(ContactPoint, AnImpulseThereKeepsLinearAndAngularMomentum)
     const Position point{1.2, 2.7};
     const auto angular = [](const Motion& m) {
         const DVec2 p{m.center.x, m.center.y};
-        return cross(p, (1 / double(m.invMass.x)) * toDVec2(m.velocity)) + double(m.spin) / double(m.invInertia);
+        return cross(p, (1 / double(m.invMass.x)) * toDVec2(m.velocity)) +
+               double(m.spin) / double(m.invInertia);
     };
     const double before = angular(a) + angular(b);
     applyImpulse(a, b, toVec2(point - a.center), toVec2(point - b.center), {real(0.7), real(-1.3)});
