@@ -51,7 +51,8 @@ void overlapping(const std::vector<SweepBox>& boxes, const Aabb& box, std::uint3
                  std::vector<std::uint32_t>& found)
 {
     found.clear();
-    for (std::uint32_t i = 0; i < boxes.size() && boxes[i].box.lower.x <= box.upper.x; ++i)
+    // Boxes that have grown since they were sorted are out of order: all are looked at.
+    for (std::uint32_t i = 0; i < boxes.size(); ++i)
         if (boxes[i].body != body && overlaps(boxes[i].box, box)) found.push_back(i);
 }
 

@@ -273,19 +273,28 @@ SweptResult advance(const Sweep& s)
     return result;
 }
 
-// A manifold has one normal for all the sweep. How far does the true surface leave that plane: as a
-// corner runs on its arc, as a face turns under what slides along it, or as one rounding slides about
-// another?
+// Gap that the manifold shows at given poses: of its planes, where the true one is of the surfaces.
+real shownGap(const Sweep& s, const Manifold& manifold, const Pose& poseA, const Pose& poseB)
+{
+    real least = std::numeric_limits<real>::max();
+    for (int i = 0; i < manifold.count; ++i) {
+        const Vec2 onA = poseA.p + rotate(poseA.q, manifold.points[i].localA);
+        const Vec2 onB = poseB.p + rotate(poseB.q, manifold.points[i].localB);
+        least = minimum(least, dot(manifold.normal, onB - onA) - s.radii);
+    }
+    return least;
+}
+
+// A manifold has one normal for all the sweep. Does the true surface leave that plane, towards the
+// other body, by more than counts as overlap? As a corner runs on its arc, as a face turns under what
+// slides along it, or as one rounding slides about another.
 bool bendsAway(const Sweep& s, const Manifold& manifold)
 {
     if (s.turning) return true;
-    const real along = absolute(cross(manifold.normal, s.slide));
-    const real turn = (s.pair.a.faces() > 0 ? s.turnA : 0) + (s.pair.b.faces() > 0 ? s.turnB : 0);
-    real bend = along * turn;
-    const bool corner =
-        s.start.kind == Separation::Kind::Vertices || s.end.kind == Separation::Kind::Vertices;
-    if (corner && s.radii > 0) bend += along * along / (2 * s.radii);
-    return bend > s.pair.restGap / 2;
+    const auto hides = [&](const Separation& gap, const Pose& poseA, const Pose& poseB) {
+        return gap.distance < s.admit && shownGap(s, manifold, poseA, poseB) > gap.distance - s.deep;
+    };
+    return hides(s.start, s.a0, s.b0) || hides(s.end, s.a1, s.b1);
 }
 
 SweptResult settle(const Sweep& s)
