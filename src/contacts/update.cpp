@@ -35,10 +35,15 @@ Trajectory predictedPath(const Motion& m, Position origin, real invH)
     return path;
 }
 
+Position originOf(const Motion& a, const Motion& b)
+{
+    return a.extent <= b.extent ? a.center : b.center;
+}
+
 SweptPair sweptPairOf(const Contact& contact, const ShapeTable& shapes, const Motion& a, const Motion& b,
                       real invH)
 {
-    const Position origin = a.extent <= b.extent ? a.center : b.center;
+    const Position origin = originOf(a, b);
     return {shapes.rows[contact.shapeA].convex, shapes.rows[contact.shapeB].convex,
             predictedPath(a, origin, invH), predictedPath(b, origin, invH), contact.restGap};
 }

@@ -18,7 +18,10 @@ real expectedSpinRate(const Motion& m, real invH);   ///< [rad/s^2]
 /// The way of a body that nothing hits, seen from `origin`.
 Trajectory predictedPath(const Motion& m, Position origin, real invH);
 
-/// Both ways of a pair, seen from the smaller body, where `real` resolves best.
+/// The place a pair is seen from: the center of the smaller body, where `real` resolves best.
+Position originOf(const Motion& a, const Motion& b);
+
+/// Both ways of a pair, seen from there.
 SweptPair sweptPairOf(const Contact& contact, const ShapeTable& shapes, const Motion& a, const Motion& b,
                       real invH);
 

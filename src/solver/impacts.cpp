@@ -1,54 +1,30 @@
 // SPDX-License-Identifier: MIT
-// Impulses at their time of impact. Every contact is looked at once per sweep, on clocks of the
-// bodies' own, until no impact is left in the tick. A body hit at time t keeps its impulse as two
-// kicks, before and after the drift, so that it ends up where a body hit at t would be: no position
-// is ever corrected. docs/theory/contacts.md, section 3.
+// Impulses at their time of impact, in the order of their times. A body hit at time t keeps its impulse
+// as two kicks, before and after the drift, so that it ends up where a body hit at t would be: no
+// position is ever corrected. docs/theory/contacts.md, section 3.
 
 #include "solver/impacts.hpp"
 
 #include "contacts/rows.hpp"
 #include "contacts/update.hpp"
+#include "solver/flight.hpp"
 
-#include <limits>
+#include <algorithm>
 
 namespace tamias2d::inline TAMIAS_PRECISION {
 namespace {
 
-constexpr real kNever = std::numeric_limits<real>::max();
+// An impact that awaits its turn.
+struct Due {
+    Impact impact;
+    int before;              // impacts of the contact so far: of those at one time, take turns
+    std::uint32_t place;     // of the contact in the order of solving
+    std::uint32_t version;   // of the contact's motion when it was found
 
-// A body on its way through the tick. Its place is that of the tick's start plus
-// offset + velocity t + acceleration t^2/2: an impact at t shifts the offset by -t dv.
-struct Flight {
-    Vec2 offset;
-    real turned = 0;
-    Vec2 velocity;
-    real spin = 0;
-    Vec2 acceleration;
-    real spinRate = 0;
-    real clock = 0;          // of its last impact
-    bool hit = false;        // in this sweep
-    bool hitBefore = false;  // in the sweep before
-};
-
-// What the search for impacts needs to know of one point, at the start of the tick.
-struct ImpactPoint {
-    Vec2 armA, armB;
-    real gap = 0;
-};
-
-struct Impact {
-    real time = kNever;
-};
-
-// Two bodies and a point between them at one moment.
-struct Moment {
-    Vec2 normal;
-    PlacedPoint place;
-    Vec2 velocityA, velocityB;
-    real spinA, spinB;
-    Vec2 relative() const
+    bool operator<(const Due& other) const  // the heap has the greatest on top
     {
-        return velocityB + cross(spinB, place.armB) - velocityA - cross(spinA, place.armA);
+        if (impact.time != other.impact.time) return impact.time > other.impact.time;
+        return before != other.before ? before > other.before : place > other.place;
     }
 };
 
@@ -60,161 +36,78 @@ public:
 private:
     ImpactStage& stage_;
     const StepContext& context_;
-    const real tickStart_;               // within the step   [s]
-    std::vector<Flight> flights_;        // by row
-    std::vector<ImpactPoint> points_;    // two for each contact
+    const real tickStart_;                   // within the step   [s]
+    std::vector<Flight> flights_;            // by row
+    std::vector<ImpactPoint> points_;        // two for each contact
+    std::vector<std::uint32_t> versions_;    // by contact
+    std::vector<std::uint32_t> places_;      // by contact
+    std::vector<std::vector<std::uint32_t>> contactsOf_;  // by row; of bodies that move
+    std::vector<Due> queue_;                 // a heap
 
-    Contact& contact(std::size_t i) { return stage_.contacts.rows[i]; }
+    Contact& contact(std::uint32_t i) { return stage_.contacts.rows[i]; }
     Motion& motion(std::uint32_t row) { return stage_.motions.rows[row]; }
+    FlyingPair pairOf(const Contact& c)
+    {
+        return {motion(c.rowA), motion(c.rowB), flights_[c.rowA], flights_[c.rowB]};
+    }
 
-    void placePoints(std::size_t i);
-    Impact nextImpact(std::size_t i, int point);
-    Moment momentAt(const Contact& c, const ManifoldPoint& anchor, real t);
-    real refined(const Contact& c, const ManifoldPoint& anchor, real t, real earliest);
-    bool process(std::size_t i);
+    void connect();
+    void placePoints(std::uint32_t i);
+    void schedule(std::uint32_t i);
+    void process(std::uint32_t i, const Impact& impact);
     bool processBoth(Contact& c, int first, real t, real restitution);
-    void processOne(Contact& c, int point, const Moment& moment, real t, real restitution);
+    void processOne(Contact& c, int point, real t, real restitution);
     real frictionImpulse(Contact& c, const Moment& moment, real normalImpulse, real t);
     void applyAt(const Contact& c, const PlacedPoint& place, Vec2 impulse, real t);
     void record(Contact& c, const Moment& before, real normalImpulse, real tangentImpulse, real t,
                 real restitution);
-    SweptPair sweptPair(const Contact& c);
+    void follow(std::uint32_t row, std::uint32_t hit);
+    Trajectory pathOf(std::uint32_t row, Position origin);
     bool turnsOn(const Contact& c, real rest);
-    void resweep(std::size_t i, bool own);
+    void resweep(std::uint32_t i, bool own);
     void pairAgain(std::uint32_t row);
+    void add(const ShapePair& pair);
 };
 
 ImpactSolver::ImpactSolver(ImpactStage& stage, const StepContext& context, int tick)
     : stage_(stage), context_(context), tickStart_(static_cast<real>(tick) * context.h),
-      flights_(stage.motions.rows.size()), points_(2 * stage.contacts.rows.size())
+      flights_(stage.motions.rows.size()), points_(2 * stage.contacts.rows.size()),
+      versions_(stage.contacts.rows.size()), places_(stage.contacts.rows.size())
 {
-    for (std::size_t i = 0; i < flights_.size(); ++i) {
-        const Motion& m = stage.motions.rows[i];
-        flights_[i].velocity = m.velocity;
-        flights_[i].spin = m.spin;
-        if (!m.moves()) continue;
-        flights_[i].acceleration = expectedAcceleration(m, context.invH);
-        flights_[i].spinRate = expectedSpinRate(m, context.invH);
-    }
-    for (std::size_t i = 0; i < stage.contacts.rows.size(); ++i) {
+    for (std::size_t row = 0; row < flights_.size(); ++row)
+        flights_[row] = flightOf(stage.motions.rows[row], context.invH);
+    for (std::uint32_t k = 0; k < places_.size(); ++k) {
+        const std::uint32_t i = stage.contacts.order[k];
         contact(i).impacts = 0;
+        places_[i] = k;
         placePoints(i);
     }
 }
 
-// Bodies and point at time t of the tick, turned as they are then.
-Moment ImpactSolver::momentAt(const Contact& c, const ManifoldPoint& anchor, real t)
+void ImpactSolver::connect()
 {
-    const Motion &a = motion(c.rowA), &b = motion(c.rowB);
-    const Flight &fa = flights_[c.rowA], &fb = flights_[c.rowB];
-    const auto rotationOf = [t](const Motion& m, const Flight& f) {
-        const real turn = f.turned + t * f.spin + t * t / 2 * f.spinRate;
-        return turn == 0 ? m.rotation : Rot::ofAngle(m.angle + static_cast<double>(turn));
-    };
-    const auto shiftOf = [t](const Flight& f) {
-        return f.offset + t * f.velocity + (t * t / 2) * f.acceleration;
-    };
-
-    Moment moment;
-    const Vec2 d = toVec2(b.center - a.center) + shiftOf(fb) - shiftOf(fa);
-    const Rot qA = rotationOf(a, fa), qB = rotationOf(b, fb);
-    moment.normal = c.normal;
-    if (anchor.roundOnRound) {
-        const Vec2 between = d + rotate(qB, anchor.localB) - rotate(qA, anchor.localA);
-        const real distance = length(between);
-        if (distance > 0) moment.normal = (1 / distance) * between;
-    }
-    moment.place = placePoint(c, moment.normal, anchor, qA, qB, d);
-    moment.velocityA = fa.velocity + t * fa.acceleration;
-    moment.velocityB = fb.velocity + t * fb.acceleration;
-    moment.spinA = fa.spin + t * fa.spinRate;
-    moment.spinB = fb.spin + t * fb.spinRate;
-    return moment;
+    if (!contactsOf_.empty()) return;
+    contactsOf_.resize(flights_.size());
+    for (const std::uint32_t i : stage_.contacts.order)
+        for (const std::uint32_t row : {contact(i).rowA, contact(i).rowB})
+            if (motion(row).moves()) contactsOf_[row].push_back(i);
 }
 
-// Gap and arms of each point of a contact, for the search. The manifold of an impact is linearized
-// about its own pose: a fast spinner has turned far from the start of the tick by then.
-void ImpactSolver::placePoints(std::size_t i)
+void ImpactSolver::placePoints(std::uint32_t i)
 {
     const Contact& c = contact(i);
-    for (int k = 0; k < c.count; ++k) {
-        ImpactPoint& point = points_[2 * i + static_cast<std::size_t>(k)];
-        if (!c.atImpact) {
-            point = {c.points[k].armA, c.points[k].armB, c.points[k].gap};
-            continue;
-        }
-        const Moment at = momentAt(c, c.points[k].anchor, c.time);
-        const Flight &fa = flights_[c.rowA], &fb = flights_[c.rowB];
-        const real t = c.time;
-        const auto shiftOf = [t](const Flight& f) {
-            return f.offset + t * f.velocity + (t * t / 2) * f.acceleration;
-        };
-        const auto turnOf = [t](const Flight& f) { return f.turned + t * f.spin + t * t / 2 * f.spinRate; };
-        point.armA = at.place.armA;
-        point.armB = at.place.armB;
-        point.gap = at.place.gap - dot(c.normal, shiftOf(fb) - shiftOf(fa)) -
-                    cross(point.armB, c.normal) * turnOf(fb) + cross(point.armA, c.normal) * turnOf(fa);
-    }
+    for (int k = 0; k < c.count; ++k)
+        points_[2 * std::size_t{i} + static_cast<std::size_t>(k)] = impactPoint(c, k, pairOf(c));
 }
 
-// When the point's gap first reaches zero while closing faster than steady forces could make it.
-Impact ImpactSolver::nextImpact(std::size_t i, int k)
+void ImpactSolver::schedule(std::uint32_t i)
 {
     const Contact& c = contact(i);
-    if (k >= c.count || c.impacts >= context_.tuning.impactsPerContact || !(c.points[k].normalMass > 0))
-        return {};
-    const ImpactPoint& point = points_[2 * i + static_cast<std::size_t>(k)];
-    const Motion &a = motion(c.rowA), &b = motion(c.rowB);
-    const Flight &fa = flights_[c.rowA], &fb = flights_[c.rowB];
-    const Vec2 n = c.normal;
-    const real turnA = cross(point.armA, n), turnB = cross(point.armB, n);
-
-    const real offset = dot(n, fb.offset - fa.offset) + turnB * fb.turned - turnA * fa.turned;
-    const real speed = dot(n, fb.velocity - fa.velocity) + turnB * fb.spin - turnA * fa.spin;
-    const real push = dot(n, fb.acceleration - fa.acceleration) + turnB * fb.spinRate - turnA * fa.spinRate;
-
-    // Anchors of a turning body run on circles: counts for the time, not for the speed.
-    real bend = push;
-    const bool turns = (absolute(fa.spin) + absolute(fb.spin)) * context_.h >= real(0.05);
-    if (turns && !c.atImpact) {
-        const Vec2 coreA = rotate(a.rotation, c.points[k].anchor.localA);
-        const Vec2 coreB = rotate(b.rotation, c.points[k].anchor.localB);
-        bend += fa.spin * fa.spin * dot(n, coreA) - fb.spin * fb.spin * dot(n, coreB);
-    }
-
-    const real start = maximum(fa.clock, fb.clock);
-    const real gap = point.gap + offset + speed * start + bend * start * start / 2;
-    const real closing = speed + bend * start;
-    real t = start;
-    if (gap > 0) {
-        const real discriminant = closing * closing - 2 * bend * gap;
-        if (discriminant < 0) return {};
-        const real root = std::sqrt(discriminant);
-        real wait;
-        if (closing < 0)
-            wait = 2 * gap / (root - closing);
-        else if (bend < 0)
-            wait = (-closing - root) / bend;
-        else
-            return {};
-        t = start + wait;
-        if (!(t <= context_.h)) return {};
-    }
-    const real approach = speed + push * t;
-    if (!(approach < -impactThreshold(c, a, b, context_)) || approach >= 0) return {};
-    return {t};
-}
-
-// The time at which the true gap of the turning bodies closes, by Newton's method.
-real ImpactSolver::refined(const Contact& c, const ManifoldPoint& anchor, real t, real earliest)
-{
-    for (int i = 0; i < 3; ++i) {
-        const Moment moment = momentAt(c, anchor, t);
-        const real speed = dot(moment.normal, moment.relative());
-        if (absolute(moment.place.gap) < real(0.001) * c.restGap || !(speed < 0)) break;
-        t = clamp(t - moment.place.gap / speed, earliest, context_.h);
-    }
-    return t;
+    ++versions_[i];
+    const Impact impact = nextImpact(c, &points_[2 * std::size_t{i}], pairOf(c), context_);
+    if (impact.time == kNever) return;
+    queue_.push_back({impact, c.impacts, places_[i], versions_[i]});
+    std::push_heap(queue_.begin(), queue_.end());
 }
 
 void ImpactSolver::applyAt(const Contact& c, const PlacedPoint& place, Vec2 impulse, real t)
@@ -236,7 +129,6 @@ void ImpactSolver::applyAt(const Contact& c, const PlacedPoint& place, Vec2 impu
         kick.spinBefore += early * dw;
         kick.spinAfter += late * dw;
         f.clock = t;
-        f.hit = true;
     };
     hit(c.rowA, place.armA, -impulse);
     hit(c.rowB, place.armB, impulse);
@@ -270,12 +162,11 @@ void ImpactSolver::record(Contact& c, const Moment& before, real normalImpulse, 
     entry.shapeB = c.shapeB;
     HitEvent& hit = entry.hit;
     hit.time = context_.time + static_cast<double>(tickStart_) + static_cast<double>(t);
-    const Vec2 shift = fa.offset + t * fa.velocity + (t * t / 2) * fa.acceleration;
-    hit.point = a.center + toDVec2(shift) + toDVec2(before.place.armA);
+    hit.point = a.center + toDVec2(fa.shiftAt(t)) + toDVec2(before.place.armA);
     hit.normal = before.normal;
     hit.armA = before.place.armA;
     hit.armB = before.place.armB;
-    hit.approachSpeed = -dot(before.normal, before.relative());
+    hit.approachSpeed = -before.normalSpeed();
     hit.restitution = restitution;
     hit.normalImpulse = normalImpulse;
     hit.tangentImpulse = tangentImpulse;
@@ -289,11 +180,12 @@ void ImpactSolver::record(Contact& c, const Moment& before, real normalImpulse, 
 }
 
 // DD8 at one point, then Coulomb.
-void ImpactSolver::processOne(Contact& c, int k, const Moment& moment, real t, real restitution)
+void ImpactSolver::processOne(Contact& c, int k, real t, real restitution)
 {
+    const Moment moment = momentAt(c, c.points[k].anchor, pairOf(c), t);
     const real mass = compliance(motion(c.rowA), moment.place.armA, moment.normal) +
                       compliance(motion(c.rowB), moment.place.armB, moment.normal);
-    const real impulse = -(1 + restitution) * dot(moment.normal, moment.relative()) / mass;
+    const real impulse = -(1 + restitution) * moment.normalSpeed() / mass;
     applyAt(c, moment.place, impulse * moment.normal, t);
     const real friction = frictionImpulse(c, moment, impulse, t);
     c.points[k].stepNormal += impulse;
@@ -306,7 +198,9 @@ void ImpactSolver::processOne(Contact& c, int k, const Moment& moment, real t, r
 bool ImpactSolver::processBoth(Contact& c, int first, real t, real restitution)
 {
     const int second = 1 - first;
-    const Moment one = momentAt(c, c.points[first].anchor, t), two = momentAt(c, c.points[second].anchor, t);
+    const FlyingPair pair = pairOf(c);
+    const Moment one = momentAt(c, c.points[first].anchor, pair, t);
+    const Moment two = momentAt(c, c.points[second].anchor, pair, t);
     const real v1 = dot(c.normal, one.relative()), v2 = dot(c.normal, two.relative());
     if (!(two.place.gap < real(0.05) * c.restGap) || !(v2 < 0) || !(v1 < 0)) return false;
 
@@ -335,52 +229,29 @@ bool ImpactSolver::processBoth(Contact& c, int first, real t, real restitution)
     return true;
 }
 
-// The contact's earliest impact, if there is one.
-bool ImpactSolver::process(std::size_t i)
+void ImpactSolver::process(std::uint32_t i, const Impact& impact)
 {
     Contact& c = contact(i);
-    const Impact impacts[2] = {nextImpact(i, 0), nextImpact(i, 1)};
-    const int first = impacts[1].time < impacts[0].time ? 1 : 0;
-
-    // The earlier point, or the other one if by its true motion the earlier does not close.
-    const real earliest = maximum(flights_[c.rowA].clock, flights_[c.rowB].clock);
-    int k = first;
-    real t = kNever;
-    Moment moment;
-    for (const int point : {first, 1 - first}) {
-        if (impacts[point].time == kNever) continue;
-        k = point;
-        t = refined(c, c.points[k].anchor, impacts[k].time, earliest);
-        moment = momentAt(c, c.points[k].anchor, t);
-        if (dot(moment.normal, moment.relative()) < 0) break;
-        t = kNever;
-    }
-    if (t == kNever) return false;
-
     // A crowded tick ends plastic, so that it ends.
     ++c.impacts;
     const real restitution = c.impacts > context_.tuning.impactsPerContact / 2 ? real(0) : c.restitution;
     if (c.impacts == context_.tuning.impactsPerContact) ++stage_.clamps.impactsPerContact;
 
     ++stage_.groups;
-    if (c.count == 2 && processBoth(c, k, t, restitution)) return true;
-    processOne(c, k, moment, t, restitution);
-    return true;
+    if (c.count < 2 || !processBoth(c, impact.point, impact.time, restitution))
+        processOne(c, impact.point, impact.time, restitution);
 }
 
-SweptPair ImpactSolver::sweptPair(const Contact& c)
+Trajectory ImpactSolver::pathOf(std::uint32_t row, Position origin)
 {
-    SweptPair pair = sweptPairOf(c, stage_.world.shapes, motion(c.rowA), motion(c.rowB), context_.invH);
-    const auto follow = [](Trajectory& path, const Flight& f) {
-        path.position += f.offset;
-        path.angle += static_cast<double>(f.turned);
-        if (f.turned != 0) path.rotation = Rot::ofAngle(path.angle);
-        path.velocity = f.velocity;
-        path.spin = f.spin;
-    };
-    follow(pair.pathA, flights_[c.rowA]);
-    follow(pair.pathB, flights_[c.rowB]);
-    return pair;
+    const Flight& f = flights_[row];
+    Trajectory path = predictedPath(motion(row), origin, context_.invH);
+    path.position += f.offset;
+    path.angle += static_cast<double>(f.turned);
+    if (f.turned != 0) path.rotation = Rot::ofAngle(path.angle);
+    path.velocity = f.velocity;
+    path.spin = f.spin;
+    return path;
 }
 
 // Does either body turn so far in the time left that its corners leave their chords by what counts
@@ -393,42 +264,57 @@ bool ImpactSolver::turnsOn(const Contact& c, real rest)
            c.restGap / 2;
 }
 
-// A swept pair of a body that was hit: its way is another from then on. The pair that was hit itself
-// is looked at again only if it turns on; loaded contacts keep their manifold.
-void ImpactSolver::resweep(std::size_t i, bool own)
+// A pair of a body that was hit: its way is another from then on. The pair that was hit itself is
+// looked at again only if it turns on; loaded contacts keep their manifold.
+void ImpactSolver::resweep(std::uint32_t i, bool own)
 {
     Contact& c = contact(i);
-    const Flight &fa = flights_[c.rowA], &fb = flights_[c.rowB];
-    const real start = maximum(fa.clock, fb.clock);
-    if (!c.swept || !(start < context_.h)) return;
+    const real start = pairOf(c).start();
+    if (!(start < context_.h)) return;
     if (own && !turnsOn(c, context_.h - start)) return;
     for (int k = 0; k < c.count; ++k)
         if (c.points[k].normalImpulse > 0) return;
+    c.swept = true;
 
-    const SweptResult result = collideSwept(sweptPair(c), start, context_.h);
+    SweptPair pair = sweptPairOf(c, stage_.world.shapes, motion(c.rowA), motion(c.rowB), context_.invH);
+    const Position origin = originOf(motion(c.rowA), motion(c.rowB));
+    pair.pathA = pathOf(c.rowA, origin);
+    pair.pathB = pathOf(c.rowB, origin);
+    const SweptResult result = collideSwept(pair, start, context_.h);
     stage_.clamps.advancement += result.exhausted ? 1 : 0;
     adoptManifold(c, result, 0);
     prepareContact(c, motion(c.rowA), motion(c.rowB));
     placePoints(i);
 }
 
+void ImpactSolver::add(const ShapePair& pair)
+{
+    const auto i = static_cast<std::uint32_t>(stage_.contacts.rows.size());
+    Contact added = makeContact(stage_.world, pair);
+    added.swept = true;
+    places_.push_back(static_cast<std::uint32_t>(stage_.contacts.order.size()));
+    versions_.push_back(0);
+    points_.resize(points_.size() + 2);
+    stage_.contacts.order.push_back(i);
+    stage_.contacts.rows.push_back(added);
+    ++stage_.repaired;
+    for (const std::uint32_t row : {added.rowA, added.rowB})
+        if (motion(row).moves()) contactsOf_[row].push_back(i);
+    resweep(i, false);
+    schedule(i);
+}
+
 // A body thrown out of the box it was paired in is paired again, at once.
 void ImpactSolver::pairAgain(std::uint32_t row)
 {
     const Motion& m = motion(row);
-    const Flight& f = flights_[row];
-    Trajectory path = predictedPath(m, m.center, context_.invH);
-    path.position += f.offset;
-    path.angle += static_cast<double>(f.turned);
-    path.rotation = Rot::ofAngle(path.angle);
-    path.velocity = f.velocity;
-    path.spin = f.spin;
+    const Trajectory path = pathOf(row, m.center);
     const real end = static_cast<real>(context_.dt) - tickStart_;
 
     for (const std::uint32_t shape : stage_.world.bodies.rows[m.body].shapes) {
         const Convex& convex = stage_.world.shapes.rows[shape].convex;
         const real margin = 3 * stage_.world.restGap * convex.size;
-        const Aabb needed = sweptBounds(convex, path, m.center, f.clock, end, margin);
+        const Aabb needed = sweptBounds(convex, path, m.center, flights_[row].clock, end, margin);
         auto own = stage_.boxes.begin();
         while (own != stage_.boxes.end() && own->shape != shape) ++own;
         if (own == stage_.boxes.end() || contains(own->box, needed)) continue;
@@ -440,45 +326,37 @@ void ImpactSolver::pairAgain(std::uint32_t row)
             const std::uint32_t other = stage_.boxes[k].shape;
             const ShapePair pair{minimum(shape, other), maximum(shape, other)};
             bool known = !mayCollide(stage_.world, pair);
-            for (const Contact& c : stage_.contacts.rows)
-                if (c.shapeA == pair.a && c.shapeB == pair.b) known = true;
-            if (known) continue;
-            Contact added = makeContact(stage_.world, pair);
-            added.swept = true;
-            stage_.contacts.order.push_back(static_cast<std::uint32_t>(stage_.contacts.rows.size()));
-            stage_.contacts.rows.push_back(added);
-            points_.resize(points_.size() + 2);
-            ++stage_.repaired;
-            resweep(stage_.contacts.rows.size() - 1, false);
+            for (const std::uint32_t i : contactsOf_[row])
+                if (contact(i).shapeA == pair.a && contact(i).shapeB == pair.b) known = true;
+            if (!known) add(pair);
         }
     }
 }
 
+// What the impact of a contact changes for a body of it: all its contacts go another way.
+void ImpactSolver::follow(std::uint32_t row, std::uint32_t hit)
+{
+    if (!motion(row).moves()) return;
+    for (const std::uint32_t i : contactsOf_[row]) {
+        resweep(i, i == hit);
+        schedule(i);
+    }
+    pairAgain(row);
+}
+
 void ImpactSolver::run()
 {
-    std::vector<bool> processed;
-    for (int sweep = 0;; ++sweep) {
-        if (sweep == context_.tuning.impactSweeps) {
-            ++stage_.clamps.impactSweeps;
-            return;
-        }
-        processed.assign(stage_.contacts.rows.size(), false);
-        bool any = false;
-        for (const std::uint32_t i : stage_.contacts.order) {
-            const Contact& c = contact(i);
-            const Flight &fa = flights_[c.rowA], &fb = flights_[c.rowB];
-            if (c.count == 0 || (sweep > 0 && !fa.hit && !fb.hit && !fa.hitBefore && !fb.hitBefore)) continue;
-            if (process(i)) processed[i] = any = true;
-        }
-        if (!any) return;
-        for (std::size_t i = 0; i < processed.size(); ++i)
-            if (flights_[contact(i).rowA].hit || flights_[contact(i).rowB].hit) resweep(i, processed[i]);
-        for (std::uint32_t row = 0; row < flights_.size(); ++row)
-            if (flights_[row].hit) pairAgain(row);
-        for (Flight& f : flights_) {
-            f.hitBefore = f.hit;
-            f.hit = false;
-        }
+    for (const std::uint32_t i : stage_.contacts.order) schedule(i);
+    while (!queue_.empty()) {
+        std::pop_heap(queue_.begin(), queue_.end());
+        const Due due = queue_.back();
+        queue_.pop_back();
+        const std::uint32_t i = stage_.contacts.order[due.place];
+        if (due.version != versions_[i]) continue;
+        connect();
+        process(i, due.impact);
+        follow(contact(i).rowA, i);
+        follow(contact(i).rowB, i);
     }
 }
 

@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "contacts/rows.hpp"
+
+#include <limits>
+
+namespace tamias2d::inline TAMIAS_PRECISION {
+
+constexpr real kNever = std::numeric_limits<real>::max();
+
+/// A body on its way through a tick. Its place is that of the tick's start plus
+/// offset + velocity t + acceleration t^2/2: an impact at t shifts the offset by -t dv.
+struct Flight {
+    Vec2 offset;          ///< [m]
+    real turned = 0;      ///< [rad]
+    Vec2 velocity;        ///< [m/s]
+    real spin = 0;        ///< [rad/s]
+    Vec2 acceleration;    ///< [m/s^2]
+    real spinRate = 0;    ///< [rad/s^2]
+    real clock = 0;       ///< time of its last impact within the tick   [s]
+
+    Vec2 shiftAt(real t) const { return offset + t * velocity + (t * t / 2) * acceleration; }
+    real turnAt(real t) const { return turned + t * spin + t * t / 2 * spinRate; }
+};
+
+Flight flightOf(const Motion& m, real invH);
+
+/// The two bodies of a contact on their ways.
+struct FlyingPair {
+    const Motion &a, &b;
+    const Flight &flightA, &flightB;
+
+    real start() const { return maximum(flightA.clock, flightB.clock); }
+};
+
+/// Two bodies and a point between them at one moment.
+struct Moment {
+    Vec2 normal;
+    PlacedPoint place;
+    Vec2 velocityA, velocityB;
+    real spinA = 0, spinB = 0;
+
+    Vec2 relative() const
+    {
+        return velocityB + cross(spinB, place.armB) - velocityA - cross(spinA, place.armA);
+    }
+    real normalSpeed() const { return dot(normal, relative()); }
+};
+
+/// Bodies and point at time `t` of the tick, turned as they are then.
+Moment momentAt(const Contact& contact, const ManifoldPoint& anchor, const FlyingPair& pair, real t);
+
+/// What the search for impacts needs to know of a point: all as at the start of the tick.
+struct ImpactPoint {
+    Vec2 armA, armB;
+    real gap = 0;
+};
+
+/// Arms and gap of a point for the search. The manifold of an impact is linearized about its own
+/// pose: a fast spinner has turned far from the start of the tick by then.
+ImpactPoint impactPoint(const Contact& contact, int point, const FlyingPair& pair);
+
+/// A point of a contact and when it is hit.
+struct Impact {
+    real time = kNever;   ///< within the tick   [s]
+    int point = 0;
+};
+
+/// The first impact of a contact in the rest of the tick: when a gap first closes faster than steady
+/// forces could make it. Time kNever if there is none.
+Impact nextImpact(const Contact& contact, const ImpactPoint points[2], const FlyingPair& pair,
+                  const StepContext& context);
+
+}  // namespace tamias2d::inline TAMIAS_PRECISION
