@@ -6,6 +6,20 @@
 
 namespace tamias2d::inline TAMIAS_PRECISION {
 
+Vec2 normalOf(const Contact& contact, const ManifoldPoint& anchor, Rot qA, Rot qB, Vec2 d)
+{
+    if (!anchor.roundOnRound) return contact.normal;
+    const Vec2 between = d + rotate(qB, anchor.localB) - rotate(qA, anchor.localA);
+    const real distance = length(between);
+    return distance > 0 ? (1 / distance) * between : contact.normal;
+}
+
+bool normalTurns(const Contact& contact, const ManifoldPoint& anchor)
+{
+    const bool bothRound = contact.radiusA > 0 && contact.radiusB > 0;
+    return anchor.roundOnRound && (bothRound || contact.restitution > 0);
+}
+
 PlacedPoint placePoint(const Contact& contact, Vec2 n, const ManifoldPoint& anchor, Rot qA, Rot qB, Vec2 d)
 {
     const Vec2 surfaceA = rotate(qA, anchor.localA) + contact.radiusA * n;  // from the center of A
@@ -24,6 +38,8 @@ PlacedPoint placePoint(const Contact& contact, Vec2 n, const ManifoldPoint& anch
 void prepareContact(Contact& contact, const Motion& a, const Motion& b)
 {
     const Vec2 d = toVec2(b.center - a.center);
+    if (contact.count == 1 && normalTurns(contact, contact.points[0].anchor))
+        contact.normal = normalOf(contact, contact.points[0].anchor, a.rotation, b.rotation, d);
     const Vec2 n = contact.normal, t = perpendicular(n);
     for (int i = 0; i < contact.count; ++i) {
         ContactPointRow& point = contact.points[i];

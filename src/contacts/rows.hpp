@@ -15,6 +15,14 @@ struct PlacedPoint {
     real gap;          ///< beyond the rest gap        [m]
 };
 
+/// The contact's normal for rotations `qA`, `qB` and centers `d` = B - A apart: where two roundings meet
+/// it runs through both their centers, wherever these have gone.
+Vec2 normalOf(const Contact& contact, const ManifoldPoint& anchor, Rot qA, Rot qB, Vec2 d);
+
+/// Does the normal go along from tick to tick? Not that of a plastic round body on a sharp corner, which
+/// may be the seam of a floor it glides over: there the manifold's, of the whole way, is the right one.
+bool normalTurns(const Contact& contact, const ManifoldPoint& anchor);
+
 /// The point along `normal`, for rotations `qA`, `qB` and centers `d` = B - A apart. Both arms lead to one
 /// place, so that no impulse at it changes the angular momentum of the two [GD1].
 PlacedPoint placePoint(const Contact& contact, Vec2 normal, const ManifoldPoint& anchor, Rot qA, Rot qB,

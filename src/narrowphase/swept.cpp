@@ -294,7 +294,14 @@ bool bendsAway(const Sweep& s, const Manifold& manifold)
     const auto hides = [&](const Separation& gap, const Pose& poseA, const Pose& poseB) {
         return gap.distance < s.admit && shownGap(s, manifold, poseA, poseB) > gap.distance - s.deep;
     };
-    return hides(s.start, s.a0, s.b0) || hides(s.end, s.a1, s.b1);
+    if (hides(s.start, s.a0, s.b0) || hides(s.end, s.a1, s.b1)) return true;
+
+    // Halfway a turning face is off the line between its ends by a fourth of turn times slide.
+    const real along = absolute(cross(manifold.normal, s.slide));
+    const real turn = (s.pair.a.faces() > 0 ? s.turnA : 0) + (s.pair.b.faces() > 0 ? s.turnB : 0);
+    if (along * turn / 4 <= -s.deep) return false;
+    const real middle = s.timeAt(real(0.5));
+    return hides(s.separationAt(middle), s.pair.pathA.at(middle), s.pair.pathB.at(middle));
 }
 
 SweptResult settle(const Sweep& s)

@@ -30,12 +30,7 @@ Moment momentAt(const Contact& contact, const ManifoldPoint& anchor, const Flyin
     const Rot qA = rotationOf(pair.a, fa), qB = rotationOf(pair.b, fb);
 
     Moment moment;
-    moment.normal = contact.normal;
-    if (anchor.roundOnRound) {
-        const Vec2 between = d + rotate(qB, anchor.localB) - rotate(qA, anchor.localA);
-        const real distance = length(between);
-        if (distance > 0) moment.normal = (1 / distance) * between;
-    }
+    moment.normal = normalOf(contact, anchor, qA, qB, d);
     moment.place = placePoint(contact, moment.normal, anchor, qA, qB, d);
     moment.velocityA = fa.velocity + t * fa.acceleration;
     moment.velocityB = fb.velocity + t * fb.acceleration;
@@ -47,25 +42,26 @@ Moment momentAt(const Contact& contact, const ManifoldPoint& anchor, const Flyin
 ImpactPoint impactPoint(const Contact& contact, int k, const FlyingPair& pair)
 {
     const ContactPointRow& row = contact.points[k];
-    if (!contact.atImpact) return {row.armA, row.armB, row.gap};
-    const real t = contact.time;
+    const bool plain = !contact.atImpact && !normalTurns(contact, row.anchor);
+    if (plain) return {contact.normal, row.armA, row.armB, row.gap};
+
+    const real t = contact.atImpact ? contact.time : pair.start();
     const Moment at = momentAt(contact, row.anchor, pair, t);
-    const Vec2 n = contact.normal;
-    ImpactPoint point{at.place.armA, at.place.armB, at.place.gap};
-    point.gap -= dot(n, pair.flightB.shiftAt(t) - pair.flightA.shiftAt(t)) +
-                 cross(point.armB, n) * pair.flightB.turnAt(t) -
-                 cross(point.armA, n) * pair.flightA.turnAt(t);
+    ImpactPoint point{at.normal, at.place.armA, at.place.armB, at.place.gap};
+    point.gap -= dot(point.normal, pair.flightB.shiftAt(t) - pair.flightA.shiftAt(t)) +
+                 cross(point.armB, point.normal) * pair.flightB.turnAt(t) -
+                 cross(point.armA, point.normal) * pair.flightA.turnAt(t);
     return point;
 }
 
 namespace {
 
 // When the point's gap, a parabola in time, first reaches zero while closing fast enough.
-real parabolaTime(const Contact& c, int k, const ImpactPoint& point, const FlyingPair& pair,
+real parabolaTime(const Contact& c, int k, const ImpactPoint& point, const FlyingPair& pair, real threshold,
                   const StepContext& context)
 {
     const Flight &fa = pair.flightA, &fb = pair.flightB;
-    const Vec2 n = c.normal;
+    const Vec2 n = point.normal;
     const real turnA = cross(point.armA, n), turnB = cross(point.armB, n);
     const real offset = dot(n, fb.offset - fa.offset) + turnB * fb.turned - turnA * fa.turned;
     const real speed = dot(n, fb.velocity - fa.velocity) + turnB * fb.spin - turnA * fa.spin;
@@ -97,18 +93,21 @@ real parabolaTime(const Contact& c, int k, const ImpactPoint& point, const Flyin
         if (!(t <= context.h)) return kNever;
     }
     const real approach = speed + push * t;
-    return approach < -impactThreshold(c, pair.a, pair.b, context) && approach < 0 ? t : kNever;
+    return approach < -threshold ? t : kNever;
 }
 
 // The time at which the true gap of the turning bodies closes, by Newton's method; kNever if by their
-// true motion they part.
-real refined(const Contact& c, const ManifoldPoint& anchor, const FlyingPair& pair, real t, real h)
+// true motion they part or only graze, or do not meet within the tick.
+real refined(const Contact& c, const ManifoldPoint& anchor, const FlyingPair& pair, real t, real threshold,
+             real h)
 {
+    constexpr int kMaxIterations = 6;
     for (int i = 0;; ++i) {
         const Moment moment = momentAt(c, anchor, pair, t);
         const real speed = moment.normalSpeed();
-        if (!(speed < 0)) return kNever;
-        if (i == 3 || absolute(moment.place.gap) < real(0.001) * c.restGap) return t;
+        if (!(speed < -threshold)) return kNever;
+        if (absolute(moment.place.gap) < real(0.001) * c.restGap) return t;
+        if (i == kMaxIterations) return t < h || moment.place.gap < real(0.05) * c.restGap ? t : kNever;
         t = clamp(t - moment.place.gap / speed, pair.start(), h);
     }
 }
@@ -120,11 +119,12 @@ Impact nextImpact(const Contact& c, const ImpactPoint points[2], const FlyingPai
 {
     Impact next;
     if (c.impacts >= context.tuning.impactsPerContact) return next;
+    const real threshold = impactThreshold(c, pair.a, pair.b, context);
     for (int k = 0; k < c.count; ++k) {
         if (!(c.points[k].normalMass > 0)) continue;
-        real t = parabolaTime(c, k, points[k], pair, context);
+        real t = parabolaTime(c, k, points[k], pair, threshold, context);
         if (t == kNever) continue;
-        t = refined(c, c.points[k].anchor, pair, t, context.h);
+        t = refined(c, c.points[k].anchor, pair, t, threshold, context.h);
         if (t < next.time) next = {t, k};
     }
     return next;

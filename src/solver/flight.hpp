@@ -53,6 +53,7 @@ Moment momentAt(const Contact& contact, const ManifoldPoint& anchor, const Flyin
 
 /// What the search for impacts needs to know of a point: all as at the start of the tick.
 struct ImpactPoint {
+    Vec2 normal;
     Vec2 armA, armB;
     real gap = 0;
 };

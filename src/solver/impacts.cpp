@@ -270,11 +270,10 @@ void ImpactSolver::resweep(std::uint32_t i, bool own)
 {
     Contact& c = contact(i);
     const real start = pairOf(c).start();
-    if (!(start < context_.h)) return;
-    if (own && !turnsOn(c, context_.h - start)) return;
     for (int k = 0; k < c.count; ++k)
         if (c.points[k].normalImpulse > 0) return;
     c.swept = true;
+    if (!(start < context_.h) || (own && !turnsOn(c, context_.h - start))) return;
 
     SweptPair pair = sweptPairOf(c, stage_.world.shapes, motion(c.rowA), motion(c.rowB), context_.invH);
     const Position origin = originOf(motion(c.rowA), motion(c.rowB));
