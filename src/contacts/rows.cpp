@@ -289,4 +289,15 @@ void pushContact(Contact& contact, const Motion& a, const Motion& b, Push& pushA
     }
 }
 
+void repayPush(const Contact& contact, Motion& a, Motion& b, real h)
+{
+    real pushed = 0;
+    for (int i = 0; i < contact.count; ++i) pushed += contact.points[i].pushImpulse;
+    const Vec2 d = toVec2(b.center - a.center);
+    const real squared = dot(d, d);
+    if (!(pushed > 0) || !a.moves() || !b.moves() || !(squared > 0)) return;
+    const real gained = h * pushed * cross(contact.normal, b.velocity - a.velocity);
+    applyImpulse(a, b, {}, {}, -gained / squared * perpendicular(d));
+}
+
 }  // namespace tamias2d::inline TAMIAS_PRECISION

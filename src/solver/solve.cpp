@@ -95,6 +95,10 @@ void pushApart(SolverStage& stage, const StepContext& context, Scratch& scratch,
         pushContact(c, stage.motions.rows[c.rowA], stage.motions.rows[c.rowB], scratch.pushes[c.rowA],
                     scratch.pushes[c.rowB], context, clamps);
     }
+    for (const std::uint32_t i : stage.contacts.order) {
+        const Contact& c = stage.contacts.rows[i];
+        repayPush(c, stage.motions.rows[c.rowA], stage.motions.rows[c.rowB], context.h);
+    }
 }
 
 void addUpImpulses(SolverStage& stage)
