@@ -10,11 +10,11 @@ namespace tamias2d::inline TAMIAS_PRECISION {
 
 /// How damping changes a kick and a drift, exactly: docs/theory/integration.md, eq. 5-7.
 struct Damping {
-    real rate = 0;        // c                                     [1/s]
-    real keep = 1;        // exp(-c h/2): of the velocity, over half a tick
-    real kickTime = 0;    // (1 - keep)/c: what an acceleration adds in half a tick   [s]
-    real driftTime = 0;   // 2 sinh(c h/2)/c                                          [s]
-    real driftAccel = 0;  // (h - driftTime)/c                                        [s^2]
+    real rate = 0;           // c                                                        [1/s]
+    double keep = 1;         // E = exp(-c h/2): of the velocity, over half a tick
+    double kickTime = 0;     // (1 - E)/c: what an acceleration adds in half a tick      [s]
+    double excessTime = 0;   // q = (1 - E^2)/c - h E: of the drift beyond h v_h         [s]
+    double excessAccel = 0;  // q/c                                                      [s^2]
 };
 
 /// One body while it is being solved. Bodies that cannot move have no inverse mass.
@@ -30,6 +30,13 @@ struct Motion {
     Vec2 acceleration;         // by forces from outside, damping left out   [m/s^2]
     real spinRate = 0;         // [rad/s^2]
     Damping damping, spinDamping;
+
+    // Thousands of small kicks, each rounded, would add up to more than a free flight may err. What
+    // `velocity` and `spin` are the rounding of is kept beside them, and counts until they are changed.
+    DVec2 fineVelocity;        // [m/s]
+    double fineSpin = 0;       // [rad/s]
+    DVec2 excess;              // of the drift of this tick, by damping   [m]
+    double excessTurn = 0;     // [rad]
 
     // Velocity change by the steady contact impulses of the previous tick: the warm start of all
     // contacts at once, and what makes the prediction of a resting body rest.

@@ -9,44 +9,79 @@
 
 namespace tamias2d::inline TAMIAS_PRECISION {
 
+namespace {
+
+// sinh(x)/x - 1 for 0 <= x < 1, where the closed form cancels; what is left out is below 2^-53 of it.
+double sinhExcess(double x)
+{
+    const double z = x * x;
+    double sum = 1;
+    for (const double next : {272.0, 210.0, 156.0, 110.0, 72.0, 42.0, 20.0}) sum = 1 + z / next * sum;
+    return z / 6 * sum;
+}
+
+// Half a tick of a velocity, from what it is the rounding of, if that still is so.
+void kickHalf(real& velocity, double& fine, real acceleration, real steady, const Damping& d)
+{
+    if (static_cast<real>(fine) != velocity) fine = static_cast<double>(velocity);
+    fine = d.keep * fine + d.kickTime * static_cast<double>(acceleration) + 0.5 * static_cast<double>(steady);
+    velocity = static_cast<real>(fine);
+}
+
+void kickHalf(Motion& m)
+{
+    kickHalf(m.velocity.x, m.fineVelocity.x, m.acceleration.x, m.steady.x, m.damping);
+    kickHalf(m.velocity.y, m.fineVelocity.y, m.acceleration.y, m.steady.y, m.damping);
+    kickHalf(m.spin, m.fineSpin, m.spinRate, m.steadySpin, m.spinDamping);
+}
+
+real kickWhole(real velocity, real acceleration, real steady, const Damping& d)
+{
+    return static_cast<real>(d.keep * d.keep) * velocity +
+           static_cast<real>(d.kickTime * (1 + d.keep)) * acceleration + steady;
+}
+
+double excessOf(real velocity, real acceleration, const Damping& d)
+{
+    return d.excessTime * static_cast<double>(velocity) - d.excessAccel * static_cast<double>(acceleration);
+}
+
+}  // namespace
+
 Damping makeDamping(real rate, real h)
 {
     Damping damping;
     damping.rate = rate;
     const double c = static_cast<double>(rate), step = static_cast<double>(h);
-    damping.kickTime = h / 2;
-    damping.driftTime = h;
+    damping.kickTime = step / 2;
     if (!(rate > 0)) return damping;
 
     const double x = c * step / 2;
-    // Beyond 30 nothing is left of the velocity but 1e-13 of it, and 1 / keep stays a number.
-    const double keep = exponential(-minimum(x, 30.0));
-    damping.keep = static_cast<real>(keep);
-    if (x < 0.05) {  // series, as the closed forms cancel
-        damping.kickTime =
-            static_cast<real>(step / 2 * (1 - x / 2 * (1 - x / 3 * (1 - x / 4 * (1 - x / 5 * (1 - x / 6))))));
-        const double x2 = x * x;
-        const double beyond = x2 / 6 * (1 + x2 / 20 * (1 + x2 / 42));  // sinh(x)/x - 1
-        damping.driftTime = static_cast<real>(step * (1 + beyond));
-        damping.driftAccel = static_cast<real>(-step * beyond / c);
+    damping.keep = exponential(-x);
+    if (x < 1) {
+        damping.kickTime = step / 2 * exponential(-x / 2) * (1 + sinhExcess(x / 2));
+        damping.excessTime = step * damping.keep * sinhExcess(x);
     } else {
-        const double sinh = (1 / keep - keep) / 2;
-        damping.kickTime = static_cast<real>((1 - keep) / c);
-        damping.driftTime = static_cast<real>(2 * sinh / c);
-        damping.driftAccel = static_cast<real>((step - 2 * sinh / c) / c);
+        damping.kickTime = (1 - damping.keep) / c;
+        damping.excessTime = (1 - damping.keep * damping.keep) / c - step * damping.keep;
     }
+    damping.excessAccel = damping.excessTime / c;
     return damping;
 }
 
 void kickFirst(Motion& m, const ImpactKick& kick)
 {
-    const Damping &d = m.damping, &s = m.spinDamping;
     if (m.loaded) {
-        m.velocity = d.keep * d.keep * m.velocity + d.kickTime * (1 + d.keep) * m.acceleration + m.steady;
-        m.spin = s.keep * s.keep * m.spin + s.kickTime * (1 + s.keep) * m.spinRate + m.steadySpin;
+        m.velocity = {kickWhole(m.velocity.x, m.acceleration.x, m.steady.x, m.damping),
+                      kickWhole(m.velocity.y, m.acceleration.y, m.steady.y, m.damping)};
+        m.spin = kickWhole(m.spin, m.spinRate, m.steadySpin, m.spinDamping);
+        m.excess = {};
+        m.excessTurn = 0;
     } else {
-        m.velocity = d.keep * m.velocity + d.kickTime * m.acceleration + real(0.5) * m.steady;
-        m.spin = s.keep * m.spin + s.kickTime * m.spinRate + real(0.5) * m.steadySpin;
+        m.excess = {excessOf(m.velocity.x, m.acceleration.x, m.damping),
+                    excessOf(m.velocity.y, m.acceleration.y, m.damping)};
+        m.excessTurn = excessOf(m.spin, m.spinRate, m.spinDamping);
+        kickHalf(m);
     }
     m.velocity += kick.before;
     m.spin += kick.spinBefore;
@@ -55,15 +90,8 @@ void kickFirst(Motion& m, const ImpactKick& kick)
 void drift(Motion& m, const Push& push, real h)
 {
     const double time = static_cast<double>(h);
-    DVec2 shift = time * toDVec2(m.velocity + push.shift);
-    double turn = time * static_cast<double>(m.spin + push.turn);
-    if (!m.loaded) {
-        shift += static_cast<double>(m.damping.driftTime - h) * toDVec2(m.velocity) +
-                 static_cast<double>(m.damping.driftAccel) * toDVec2(m.acceleration);
-        turn += static_cast<double>(m.spinDamping.driftTime - h) * static_cast<double>(m.spin) +
-                static_cast<double>(m.spinDamping.driftAccel) * static_cast<double>(m.spinRate);
-    }
-    m.center = m.center + shift;
+    m.center = m.center + (time * toDVec2(m.velocity + push.shift) + m.excess);
+    const double turn = time * static_cast<double>(m.spin + push.turn) + m.excessTurn;
     if (turn != 0) {
         m.angle = wrapAngle(m.angle + turn);
         m.rotation = Rot::ofAngle(m.angle);
@@ -72,11 +100,7 @@ void drift(Motion& m, const Push& push, real h)
 
 void kickSecond(Motion& m, const ImpactKick& kick)
 {
-    if (!m.loaded) {
-        const Damping &d = m.damping, &s = m.spinDamping;
-        m.velocity = d.keep * m.velocity + d.kickTime * m.acceleration + real(0.5) * m.steady;
-        m.spin = s.keep * m.spin + s.kickTime * m.spinRate + real(0.5) * m.steadySpin;
-    }
+    if (!m.loaded) kickHalf(m);
     m.velocity += kick.after;
     m.spin += kick.spinAfter;
 }

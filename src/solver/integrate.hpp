@@ -22,7 +22,7 @@ Damping makeDamping(real rate, real h);
 /// rests on something is solved once, with its whole load.
 void kickFirst(Motion& m, const ImpactKick& kick);
 
-/// Moves the body along its velocity and the push.
+/// Moves the body along its velocity and the push, and by what damping adds to that.
 void drift(Motion& m, const Push& push, real h);
 
 /// The rest of the kick, with the acceleration at the new place.
