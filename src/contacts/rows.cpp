@@ -289,15 +289,20 @@ void pushContact(Contact& contact, const Motion& a, const Motion& b, Push& pushA
     }
 }
 
-void repayPush(const Contact& contact, Motion& a, Motion& b, real h)
+void repayPush(Contact& contact, Motion& a, Motion& b, real h)
 {
-    real pushed = 0;
-    for (int i = 0; i < contact.count; ++i) pushed += contact.points[i].pushImpulse;
+    real pushed = 0, load = 0;
+    for (int i = 0; i < contact.count; ++i) {
+        pushed += contact.points[i].pushImpulse;
+        load += contact.points[i].normalImpulse;
+    }
     const Vec2 d = toVec2(b.center - a.center);
     const real squared = dot(d, d);
-    if (!(pushed > 0) || !a.moves() || !b.moves() || !(squared > 0)) return;
+    if (!(pushed > 0) || !(load > 0) || !a.moves() || !b.moves() || !(squared > 0)) return;
     const real gained = h * pushed * cross(contact.normal, b.velocity - a.velocity);
-    applyImpulse(a, b, {}, {}, -gained / squared * perpendicular(d));
+    const Vec2 impulse = -gained / squared * perpendicular(d);
+    applyImpulse(a, b, {}, {}, impulse);
+    contact.stepImpulse += impulse;
 }
 
 }  // namespace tamias2d::inline TAMIAS_PRECISION

@@ -50,8 +50,9 @@ void pushContact(Contact& contact, const Motion& a, const Motion& b, Push& pushA
                  const StepContext& context, ClampCounts& clamps);
 
 /// Takes back the angular momentum that a push over a time `h` gave two bodies that slide along each
-/// other, by opposite impulses at their centers: farther apart, they pass more slowly [GD1].
-void repayPush(const Contact& contact, Motion& a, Motion& b, real h);
+/// other, by opposite impulses at their centers: farther apart, they pass more slowly [GD1]. Only where
+/// they press on each other: two that meet in flight keep their energy to the last digit instead.
+void repayPush(Contact& contact, Motion& a, Motion& b, real h);
 
 /// Adds the velocity changes of the impulses the contact carries.
 void addSteady(const Contact& contact, Motion& a, Motion& b);

@@ -119,7 +119,9 @@ Impact nextImpact(const Contact& c, const ImpactPoint points[2], const FlyingPai
 {
     Impact next;
     if (c.impacts >= context.tuning.impactsPerContact) return next;
-    const real threshold = impactThreshold(c, pair.a, pair.b, context);
+    // What an impact of this tick has left of an approach is not the work of steady forces.
+    const real part = c.impacts > 0 ? real(0.125) : real(1);
+    const real threshold = part * impactThreshold(c, pair.a, pair.b, context);
     for (int k = 0; k < c.count; ++k) {
         if (!(c.points[k].normalMass > 0)) continue;
         real t = parabolaTime(c, k, points[k], pair, threshold, context);

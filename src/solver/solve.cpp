@@ -96,7 +96,7 @@ void pushApart(SolverStage& stage, const StepContext& context, Scratch& scratch,
                     scratch.pushes[c.rowB], context, clamps);
     }
     for (const std::uint32_t i : stage.contacts.order) {
-        const Contact& c = stage.contacts.rows[i];
+        Contact& c = stage.contacts.rows[i];
         repayPush(c, stage.motions.rows[c.rowA], stage.motions.rows[c.rowB], context.h);
     }
 }
