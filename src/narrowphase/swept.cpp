@@ -178,19 +178,15 @@ bool closesAtStart(const Sweep& s, const Manifold& manifold)
     return false;
 }
 
-// Polygons that touch at the start and turn: if nothing closes there, march on in steps of about
-// 0.1 rad to the next corner that digs in, and bisect for the moment just before.
-SweptResult marchTurning(const Sweep& s)
+// On from a part of the way in steps of about 0.1 rad to where a corner digs in, and bisected for the
+// moment just before.
+SweptResult marchFrom(const Sweep& s, real start, const SweptResult& otherwise)
 {
-    SweptResult result = s.closestAtStart();
-    result.manifold.atImpact = true;
-    if (closesAtStart(s, result.manifold)) return result;
-
     const real turns = minimum(real(62), (s.turnA + s.turnB) / real(0.1));
     const int marches = static_cast<int>(turns) + 2;
-    real clear = 0;
+    real clear = start;
     for (int k = 1; k <= marches; ++k) {
-        const real part = static_cast<real>(k) / static_cast<real>(marches);
+        const real part = start + (1 - start) * static_cast<real>(k) / static_cast<real>(marches);
         if (s.separationAt(s.timeAt(part)).distance >= s.deep) {
             clear = part;
             continue;
@@ -202,7 +198,16 @@ SweptResult marchTurning(const Sweep& s)
         }
         return s.impactAt(s.timeAt(clear));
     }
-    return result;
+    return otherwise;
+}
+
+// Polygons that touch at the start and turn: if nothing closes there, on to the next corner.
+SweptResult marchTurning(const Sweep& s)
+{
+    SweptResult result = s.closestAtStart();
+    result.manifold.atImpact = true;
+    if (closesAtStart(s, result.manifold)) return result;
+    return marchFrom(s, 0, result);
 }
 
 // Conservative advancement [Mirtich 1996]: never step further than the gap allows at the fastest
@@ -225,6 +230,8 @@ SweptResult advance(const Sweep& s)
         }
         if (part >= 1) break;
         if (iteration == kMaxIterations) {
+            // Close and fast past each other: what is left of the way in bigger steps.
+            if (s.turning && polygons) return marchFrom(s, part, {});
             hit = exhausted = true;  // the safe side
             break;
         }
