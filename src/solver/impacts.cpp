@@ -79,6 +79,7 @@ ImpactSolver::ImpactSolver(ImpactStage& stage, const StepContext& context, int t
     for (std::uint32_t k = 0; k < places_.size(); ++k) {
         const std::uint32_t i = stage.contacts.order[k];
         contact(i).impacts = 0;
+        contact(i).fastestImpact = 0;
         places_[i] = k;
         placePoints(i);
     }
@@ -167,6 +168,7 @@ void ImpactSolver::record(Contact& c, const Moment& before, real normalImpulse, 
     hit.armA = before.place.armA;
     hit.armB = before.place.armB;
     hit.approachSpeed = -before.normalSpeed();
+    c.fastestImpact = maximum(c.fastestImpact, hit.approachSpeed);
     hit.restitution = restitution;
     hit.normalImpulse = normalImpulse;
     hit.tangentImpulse = tangentImpulse;

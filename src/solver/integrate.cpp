@@ -105,6 +105,14 @@ void kickSecond(Motion& m, const ImpactKick& kick)
     m.spin += kick.spinAfter;
 }
 
+void repayImpact(Motion& m, const ImpactKick& kick, Vec2 solved, real h)
+{
+    const bool hit = kick.after.x != 0 || kick.after.y != 0;
+    if (!hit || !(m.invInertia > 0) || !(m.invMass.x > 0) || m.invMass.x != m.invMass.y) return;
+    const Vec2 early = m.loaded ? solved + real(0.5) * (m.steady + h * m.acceleration) : solved;
+    m.spin -= m.invInertia * h / m.invMass.x * cross(early, kick.after);
+}
+
 bool clampSpeed(Motion& m, real lengthUnit)
 {
     const real most = static_cast<real>(kMaxSpeed) * lengthUnit, mostSpin = static_cast<real>(kMaxSpin);

@@ -28,6 +28,10 @@ void drift(Motion& m, const Push& push, real h);
 /// The rest of the kick, with the acceleration at the new place.
 void kickSecond(Motion& m, const ImpactKick& kick);
 
+/// Takes back the angular momentum that a body gains when contacts change its way by `solved` [m/s] in a
+/// tick in which impacts had reckoned with another: their second kicks act a little off their places [GD1].
+void repayImpact(Motion& m, const ImpactKick& kick, Vec2 solved, real h);
+
 /// Holds speed and spin below their bounds; returns whether it had to.
 bool clampSpeed(Motion& m, real lengthUnit);
 

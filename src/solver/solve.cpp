@@ -176,6 +176,8 @@ SolverCounts solve(SolverStage& stage, const StepContext& context)
         solvePasses(stage, context, scratch);
         if (tick == 0) pushApart(stage, context, scratch, counts.clamps);
         for (std::size_t i = 0; i < rows.size(); ++i) {
+            const Vec2 solved = scratch.changes[i].velocity + rows[i].velocity;
+            repayImpact(rows[i], scratch.kicks[i], solved, context.h);
             scratch.changes[i].velocity += rows[i].velocity + rows[i].steady;
             scratch.changes[i].spin += rows[i].spin + rows[i].steadySpin;
         }
