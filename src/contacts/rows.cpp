@@ -4,6 +4,8 @@
 
 #include "contacts/rows.hpp"
 
+#include <tamias2d/model/defs.hpp>
+
 namespace tamias2d::inline TAMIAS_PRECISION {
 
 Vec2 normalOf(const Contact& contact, const ManifoldPoint& anchor, Rot qA, Rot qB, Vec2 d)
@@ -229,6 +231,18 @@ void addSteady(const Contact& contact, Motion& a, Motion& b)
     }
     a.steadySpin -= a.invInertia * contact.rollingImpulse;
     b.steadySpin += b.invInertia * contact.rollingImpulse;
+}
+
+void limitSteady(Motion& m, const StepContext& context)
+{
+    const auto limited = [&](real change, double mostSpeed) {
+        if (std::isnan(change)) return real(0);  // of two infinite loads against each other
+        const real most = static_cast<real>(2 * mostSpeed / context.ticks);
+        return clamp(change, -most, most);
+    };
+    const double mostSpeed = kMaxSpeed * static_cast<double>(context.lengthUnit);
+    m.steady = {limited(m.steady.x, mostSpeed), limited(m.steady.y, mostSpeed)};
+    m.steadySpin = limited(m.steadySpin, kMaxSpin);
 }
 
 namespace {

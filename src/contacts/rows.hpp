@@ -57,6 +57,10 @@ void repayPush(Contact& contact, Motion& a, Motion& b, real h);
 /// Adds the velocity changes of the impulses the contact carries.
 void addSteady(const Contact& contact, Motion& a, Motion& b);
 
+/// Holds the sum of them to what forces may do in a tick. Loads of a heavy body would throw it out of the
+/// world, and infinities into its neighbors, when its mass has just been set to a tiny one.
+void limitSteady(Motion& m, const StepContext& context);
+
 /// Applies an impulse to B at its arm, and its opposite to A [T2].
 void applyImpulse(Motion& a, Motion& b, Vec2 armA, Vec2 armB, Vec2 impulse);
 

@@ -32,7 +32,7 @@ void forgetSums(SolverStage& stage)
 // The warm start of the tick: what the contacts carry, as velocity changes of the bodies. Taken with the
 // arms of the present poses: carried over from the tick before, impulses at points that slide would
 // change the angular momentum of the whole.
-void gatherSteady(SolverStage& stage)
+void gatherSteady(SolverStage& stage, const StepContext& context)
 {
     for (Motion& m : stage.motions.rows) {
         m.steady = {};
@@ -43,6 +43,7 @@ void gatherSteady(SolverStage& stage)
         prepareContact(c, a, b);
         addSteady(c, a, b);
     }
+    for (Motion& m : stage.motions.rows) limitSteady(m, context);
 }
 
 void markLoaded(SolverStage& stage)
@@ -163,7 +164,7 @@ SolverCounts solve(SolverStage& stage, const StepContext& context)
 
         // Impacts at their times.
         resweepForTick(impacts, context);
-        gatherSteady(stage);
+        gatherSteady(stage, context);
         applyImpacts(impacts, context, tick);
         counts.impactTime += watch.lap();
 

@@ -45,7 +45,8 @@ void gatherMotions(const BodyTable& bodies, const ShapeTable& shapes, MotionTabl
 }
 
 // The warm start of the step before, for the prediction of where bodies go.
-void predictSteady(const ContactTable& contacts, const ShapeTable& shapes, MotionTable& motions)
+void predictSteady(const ContactTable& contacts, const ShapeTable& shapes, MotionTable& motions,
+                   const StepContext& context)
 {
     for (const Contact& c : contacts.rows) {
         const std::uint32_t a = motions.rowOf[shapes.rows[c.shapeA].body],
@@ -53,6 +54,7 @@ void predictSteady(const ContactTable& contacts, const ShapeTable& shapes, Motio
         if (a == MotionTable::kNone || b == MotionTable::kNone) continue;
         addSteady(c, motions.rows[a], motions.rows[b]);
     }
+    for (Motion& m : motions.rows) limitSteady(m, context);
 }
 
 void sweepBoxes(ShapeTable& shapes, const MotionTable& motions, const StepContext& context,
@@ -117,7 +119,7 @@ StepReport World::Impl::step(double dt, int substeps)
     forces.most = 2 * kMaxSpeed * static_cast<double>(settings.lengthUnit) / dt;
     forces.mostSpinRate = 2 * kMaxSpin / dt;
     gatherMotions(bodies, shapes, motions);
-    predictSteady(contacts, shapes, motions);
+    predictSteady(contacts, shapes, motions, context);
     r.forceLawFaults = accelerate(motions, bodies, forces, time);
 
     // Who might touch.
