@@ -157,6 +157,10 @@ real solveNormalsAsBlock(Contact& contact, Motion& a, Motion& b, const StepConte
 real solveNormal(Contact& contact, ContactPointRow& point, Motion& a, Motion& b, real threshold,
                  const StepContext& context)
 {
+    if (!(point.normalMass > 0)) {  // both bodies locked against it: no load shows
+        point.normalImpulse = 0;
+        return 0;
+    }
     const Vec2 n = contact.normal;
     const real normalSpeed = dot(n, relativeVelocity(point, a, b));
     if (isLeftToImpacts(contact, point, normalSpeed, threshold, context)) return 0;
@@ -200,7 +204,7 @@ void solveRolling(Contact& contact, Motion& a, Motion& b)
 
 real solveContact(Contact& contact, Motion& a, Motion& b, const StepContext& context)
 {
-    if (contact.count == 0 || !(contact.points[0].normalMass > 0)) return 0;
+    if (contact.count == 0) return 0;
     if (isSettledByImpact(contact, a, b, context)) return 0;
     const bool resting =
         contact.restitution <= 0 || (contact.points[0].wasLoaded && contact.points[1].wasLoaded);
@@ -253,8 +257,8 @@ void applyPush(const Motion& m, Push& push, Vec2 arm, Vec2 impulse, real sign)
     push.turn += sign * m.invInertia * cross(arm, impulse);
 }
 
-// Speed asked of the push at a point, as its bias. It aims a little beyond the rest gap, so that a
-// corner at rest does not flicker between pushed and not.
+// Speed asked of the push at a point, as its bias. It aims short of the rest gap, by pushSlack of it, so
+// that a corner at rest does not flicker between pushed and not.
 real pushBias(const Contact& contact, const ContactPointRow& point, const StepContext& context,
               ClampCounts& clamps)
 {
@@ -272,11 +276,14 @@ real pushBias(const Contact& contact, const ContactPointRow& point, const StepCo
 void pushContact(Contact& contact, const Motion& a, const Motion& b, Push& pushA, Push& pushB,
                  const StepContext& context, ClampCounts& clamps)
 {
-    if (contact.count == 0 || !(contact.points[0].normalMass > 0)) return;
     const Vec2 n = contact.normal;
-    const auto residual = [&](const ContactPointRow& p) {
+    real bias[2] = {};
+    for (int i = 0; i < contact.count; ++i)
+        if (contact.points[i].normalMass > 0) bias[i] = pushBias(contact, contact.points[i], context, clamps);
+    const auto residual = [&](int i) {
+        const ContactPointRow& p = contact.points[i];
         const Vec2 v = pushB.shift + cross(pushB.turn, p.armB) - pushA.shift - cross(pushA.turn, p.armA);
-        return dot(n, v) + pushBias(contact, p, context, clamps);
+        return dot(n, v) + bias[i];
     };
     const auto add = [&](ContactPointRow& p, real total) {
         const Vec2 impulse = (total - p.pushImpulse) * n;
@@ -288,8 +295,8 @@ void pushContact(Contact& contact, const Motion& a, const Motion& b, Push& pushA
     if (contact.count == 2) {
         ContactPointRow &p = contact.points[0], &q = contact.points[1];
         const real k12 = contact.crossMass;
-        const real r1 = residual(p) - p.normalMass * p.pushImpulse - k12 * q.pushImpulse;
-        const real r2 = residual(q) - k12 * p.pushImpulse - q.normalMass * q.pushImpulse;
+        const real r1 = residual(0) - p.normalMass * p.pushImpulse - k12 * q.pushImpulse;
+        const real r2 = residual(1) - k12 * p.pushImpulse - q.normalMass * q.pushImpulse;
         real x1, x2;
         if (solveBlock(p.normalMass, q.normalMass, k12, r1, r2, x1, x2)) {
             add(p, x1);
@@ -299,7 +306,7 @@ void pushContact(Contact& contact, const Motion& a, const Motion& b, Push& pushA
     }
     for (int i = 0; i < contact.count; ++i) {
         ContactPointRow& p = contact.points[i];
-        add(p, maximum(real(0), p.pushImpulse - residual(p) / p.normalMass));
+        if (p.normalMass > 0) add(p, maximum(real(0), p.pushImpulse - residual(i) / p.normalMass));
     }
 }
 

@@ -194,6 +194,26 @@ TEST(Locks, MakeABodyImmovableForCollisionsAlongThem)
     EXPECT_EQ(rail.position(), (Position{0, 0}));
 }
 
+// Of the two points of its contact one lies under the center, where nothing can move a body that only turns;
+// the other one must hold it all the same, whichever of them comes first.
+TEST(Locks, LeaveABodyThatOnlyTurnsToTheContactBesideItsCenter)
+{
+    TRACES("R2", "R8");
+    for (const int side : {-1, 1}) {
+        World world(weightless());
+        addBox(world, {side * 2.5, -1.001}, 5, 1, {.type = BodyType::Static});
+        Body plank = addBox(world, {0, 0}, 2, 1);
+        plank.setLocks(true, true, false);
+        for (int i = 0; i < 120; ++i) {
+            plank.applyTorque(toReal(-10.0 * side));
+            world.step();
+        }
+        EXPECT_EQ(plank.position(), (Position{0, 0}));
+        EXPECT_LE(std::abs(angleDifference(plank.angle(), 0)), 0.002) << "side " << side;
+        EXPECT_NEAR(plank.angularVelocity(), 0, 1e-3) << "side " << side;
+    }
+}
+
 TEST(Names, FindTheFirstBodyThatBearsThem)
 {
     TRACES("R2");
