@@ -20,7 +20,7 @@ BodyView viewOf(const BodyRow& body, BodyId id, Position center, double angle, V
             static_cast<double>(body.inertia)};
 }
 
-// The law's answer; nothing, and a fault, if it throws or is no number.
+// The law's answer; nothing, and a fault, if it throws or is no number, or none of this precision.
 Wrench evaluate(const ForceLaw& law, const BodyView& view, double time, std::uint32_t& faults)
 {
     Wrench wrench;
@@ -34,9 +34,25 @@ Wrench evaluate(const ForceLaw& law, const BodyView& view, double time, std::uin
 #else
     wrench = law.force(view, time);
 #endif
-    if (isFinite(wrench.force) && std::isfinite(wrench.torque)) return wrench;
+    if (isFinite(toVec2(wrench.force)) && std::isfinite(static_cast<real>(wrench.torque))) return wrench;
     ++faults;
     return {};
+}
+
+// 0 if the law throws or says no number: a question has no report to count the fault in.
+double evaluatePotential(const ForceLaw& law, const BodyView& view, double time)
+{
+#if TAMIAS_HAS_EXCEPTIONS
+    double energy = 0;
+    try {
+        energy = law.potential(view, time);
+    } catch (...) {
+        return 0;
+    }
+#else
+    const double energy = law.potential(view, time);
+#endif
+    return std::isfinite(energy) ? energy : 0;
 }
 
 // Forces held on the body: those of this step and the lasting ones, the latter at its present angle.
@@ -145,8 +161,7 @@ double potentialEnergy(const BodyRow& body, BodyId id, const ForceField& field, 
     for (const PlacedLaw& placed : field.laws) {
         if (!placed.law.potential || (!placed.body.isNull() && placed.body != id)) continue;
         const BodyView view = viewOf(body, id, body.center, body.angle, body.velocity, body.spin);
-        const double energy = placed.law.potential(view, time);
-        if (std::isfinite(energy)) sum += energy;
+        sum += evaluatePotential(placed.law, view, time);
     }
     return sum;
 }

@@ -227,5 +227,38 @@ TEST(ForceLaw, AFaultyOneIsCountedAndDoesNoHarm)
     EXPECT_EQ(nan.linearVelocity(), vec(1, 0));
 }
 
+// 1e300 N is a number in double and none in float, where it would be an infinite force.
+TEST(ForceLaw, OfMoreThanThePrecisionHoldsIsAFault)
+{
+    TRACES("R4", "R5");
+    World world(weightless());
+    Body pushed = addBox(world, {0, 0}, 1, 1), turned = addBox(world, {0, 10}, 1, 1);
+    pushed.addForceLaw({.force = [](const BodyView&, double) { return Wrench{{1e300, 0}, 0}; }});
+    turned.addForceLaw({.force = [](const BodyView&, double) { return Wrench{{}, 1e300}; }});
+    const StepReport report = world.step();
+    EXPECT_EQ(report.forceLawFaults > 0, !kDouble);
+    EXPECT_EQ(report.nonFinite, 0u);
+    if (!kDouble) {
+        EXPECT_EQ(pushed.linearVelocity(), Vec2{});
+        EXPECT_EQ(turned.angularVelocity(), 0);
+    }
+}
+
+TEST(ForceLaw, APotentialThatThrowsOrIsNoNumberCountsAsNone)
+{
+    TRACES("R4", "DD15");
+    World world(weightless());
+    Body body = addBox(world, {0, 0}, 1, 1, {.velocity = vec(1, 0)});
+    ForceLaw law = springTo({2, 0}, 3);
+    body.addForceLaw(law);
+    const Energy before = world.energy();
+    law.potential = [](const BodyView&, double) -> double { throw std::runtime_error("no"); };
+    body.addForceLaw(law);
+    law.potential = [](const BodyView&, double) { return std::numeric_limits<double>::quiet_NaN(); };
+    world.addForceLaw(law);
+    EXPECT_EQ(world.energy().total(), before.total());
+    EXPECT_EQ(body.energy().total(), before.total());
+}
+
 }  // namespace
 }  // namespace tamias2d::test

@@ -26,14 +26,15 @@ struct Wrench {
     double torque = 0;  ///< [N*m]
 };
 
-/// A force that depends on where the body is, how it moves and on time. It is evaluated inside
-/// every sub-step, so that a spring keeps its energy: a force held over a whole step pumps it up.
+/// A force that depends on where the body is, how it moves and on time. It is evaluated twice in every tick
+/// (half a sub-step), so that a spring keeps its energy: a force held over a whole step pumps it up.
 struct ForceLaw {
     std::string name = {};  ///< for scene files, which write a law of your own by its name only
-    /// The force at time `t` [s]. Must not touch the World. A throw or a non-finite value counts as
-    /// no force and shows in StepReport::forceLawFaults.
+    /// The force at time `t` [s]. Must not touch the World. A throw or a value that is not finite as `real`
+    /// counts as no force and shows in StepReport::forceLawFaults.
     std::function<Wrench(const BodyView& body, double t)> force = {};
-    /// The potential energy [J], if there is one: energy() then includes it.
+    /// The potential energy [J], if there is one: energy() then includes it. A throw or a non-finite value
+    /// counts as 0.
     std::function<double(const BodyView& body, double t)> potential = {};
     std::string parameters = {};  ///< of a built-in law, as JSON text, so that scenes can write it
 };
