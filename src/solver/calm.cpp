@@ -20,6 +20,8 @@ struct FreeIsland {
     DVec2 weighted;              // sum of m x, from the island's first body
     Position first;
     bool started = false;
+    DVec2 momentum, momentumChange;
+    double turning = 0, turningChange = 0;   // angular momentum about the center, and its change
     Reference motion;
     DVec2 lost;                  // momentum
     double lostSpin = 0;         // angular momentum about the center
@@ -56,30 +58,29 @@ std::vector<FreeIsland> measureFreeIslands(const std::vector<Motion>& rows,
         const double mass = massOf(m);
         island.mass += mass;
         island.weighted += mass * (m.center - island.first);
-        island.motion.velocity += static_cast<real>(mass) * m.velocity;
-        island.motion.change += static_cast<real>(mass) * change.velocity;
+        island.momentum += mass * toDVec2(m.velocity);
+        island.momentumChange += mass * toDVec2(change.velocity);
     });
     for (FreeIsland& island : free) {
         if (!(island.mass > 0)) continue;
-        const real inverse = static_cast<real>(1 / island.mass);
-        island.motion.center = island.first + (1 / island.mass) * island.weighted;
-        island.motion.velocity *= inverse;
-        island.motion.change *= inverse;
+        const double inverse = 1 / island.mass;
+        island.motion.center = island.first + inverse * island.weighted;
+        island.motion.velocity = toVec2(inverse * island.momentum);
+        island.motion.change = toVec2(inverse * island.momentumChange);
     }
     each([](FreeIsland& island, const Motion& m, const TickChange& change) {
         const Vec2 r = toVec2(m.center - island.motion.center);
         const double mass = massOf(m), inertia = inertiaOf(m);
         island.inertia += mass * static_cast<double>(dot(r, r)) + inertia;
-        island.motion.spin += static_cast<real>(mass) * cross(r, m.velocity - island.motion.velocity) +
-                              static_cast<real>(inertia) * m.spin;
-        island.motion.spinChange +=
-            static_cast<real>(mass) * cross(r, change.velocity - island.motion.change) +
-            static_cast<real>(inertia) * change.spin;
+        island.turning += mass * static_cast<double>(cross(r, m.velocity - island.motion.velocity)) +
+                          inertia * static_cast<double>(m.spin);
+        island.turningChange += mass * static_cast<double>(cross(r, change.velocity - island.motion.change)) +
+                                inertia * static_cast<double>(change.spin);
     });
     for (FreeIsland& island : free) {
         if (!(island.inertia > 0)) continue;
-        island.motion.spin /= static_cast<real>(island.inertia);
-        island.motion.spinChange /= static_cast<real>(island.inertia);
+        island.motion.spin = static_cast<real>(island.turning / island.inertia);
+        island.motion.spinChange = static_cast<real>(island.turningChange / island.inertia);
     }
     return free;
 }

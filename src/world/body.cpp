@@ -81,6 +81,9 @@ void Body::setType(BodyType type)
     const auto number = static_cast<int>(type);
     if (refuse(checkThat(number >= 0 && number <= 2, "type", number, "must be Static, Kinematic or Dynamic")))
         return;
+    if (w && type == BodyType::Dynamic && !b.massIsSet &&
+        refuse(checkMass("type", textOf(number), w->impl_->massOfShapes(b))))
+        return;
     b.type = type;
     if (type != BodyType::Static) return;
     b.velocity = {};
@@ -249,6 +252,8 @@ void Body::resetMass()
 {
     TAMIAS_BODY_ROW(b);
     if (!w) return;
+    const MassSum sum = w->impl_->massOfShapes(b);
+    if (b.isDynamic() && refuse(checkMass("mass", textOf(sum.mass), sum))) return;
     b.massIsSet = false;
     w->impl_->updateMass(id_.index);
 }
@@ -423,7 +428,9 @@ void Body::setLocks(bool x, bool y, bool rotation)
 Shape Body::createShape(const ShapeDef& def)
 {
     World* const w = alive();
-    if (!w || refuse(check(def, w->impl_->settings.lengthUnit))) return {};
+    if (!w || refuse(check(def, w->impl_->settings.lengthUnit)) ||
+        refuse(w->impl_->checkMassWith("ShapeDef.density", def, id_.index)))
+        return {};
     return {w, w->impl_->createShape(id_, def)};
 }
 

@@ -98,35 +98,51 @@ void World::Impl::rebuildConvex(std::uint32_t slot)
                               bodies.rows[shape.body].localCenter);
 }
 
-// Mass, center and inertia from the shapes [DD1, DD14].
+// Mass, center and inertia from the shapes [DD1, DD14], as they would be with `def` in the place of the shape
+// in `slot`, or beside all others if that is kNoShape.
+MassSum World::Impl::massOfShapes(const BodyRow& b, std::uint32_t slot, const ShapeDef* def) const
+{
+    MassSum sum;
+    DVec2 weighted;
+    std::vector<std::pair<MassProperties, DVec2>> parts;
+    const auto add = [&](const ShapeDef& shape) {
+        const MassProperties part = massProperties(shape.geometry, shape.density);
+        const DVec2 center =
+            toDVec2(shape.offset + rotate(Rot::ofAngle(wrapAngle(shape.angle)), part.center));
+        parts.emplace_back(part, center);
+        sum.mass += static_cast<double>(part.mass);
+        weighted += static_cast<double>(part.mass) * center;
+    };
+    for (const std::uint32_t s : b.shapes) add(def && s == slot ? *def : shapes.rows[s].def);
+    if (def && slot == kNoShape) add(*def);
+    if (!(sum.mass > 0)) return sum;
+
+    sum.center = (1 / sum.mass) * weighted;
+    for (const auto& [part, center] : parts) {
+        const DVec2 arm = center - sum.center;
+        sum.inertia += static_cast<double>(part.inertia) + static_cast<double>(part.mass) * dot(arm, arm);
+    }
+    return sum;
+}
+
+Complaint World::Impl::checkMassWith(std::string_view field, const ShapeDef& def, std::uint32_t bodySlot,
+                                     std::uint32_t slot) const
+{
+    const BodyRow& b = bodies.rows[bodySlot];
+    if (b.massIsSet || !b.isDynamic()) return std::nullopt;
+    return checkMass(field, textOf(def.density), massOfShapes(b, slot, &def));
+}
+
 void World::Impl::updateMass(std::uint32_t slot)
 {
     BodyRow& b = bodies.rows[slot];
     const Position origin = b.origin();
     const Vec2 before = b.localCenter;
     if (!b.massIsSet) {
-        double mass = 0, inertia = 0;
-        DVec2 weighted;
-        for (const std::uint32_t s : b.shapes) {
-            const ShapeDef& def = shapes.rows[s].def;
-            const MassProperties part = massProperties(def.geometry, def.density);
-            const DVec2 center =
-                toDVec2(def.offset + rotate(Rot::ofAngle(wrapAngle(def.angle)), part.center));
-            const double m = static_cast<double>(part.mass);
-            mass += m;
-            weighted += m * center;
-            inertia += static_cast<double>(part.inertia) + m * dot(center, center);
-        }
-        if (mass > 0) {
-            const DVec2 center = (1 / mass) * weighted;
-            b.mass = static_cast<real>(mass);
-            b.localCenter = toVec2(center);
-            b.inertia = static_cast<real>(maximum(0.0, inertia - mass * dot(center, center)));
-        } else {
-            b.mass = 1;
-            b.localCenter = {};
-            b.inertia = 0;
-        }
+        const MassSum sum = massOfShapes(b);
+        b.mass = sum.mass > 0 ? static_cast<real>(sum.mass) : real(1);
+        b.localCenter = toVec2(sum.center);
+        b.inertia = static_cast<real>(sum.inertia);
     }
     moveCenter(slot, origin, before, b.localCenter);
 }

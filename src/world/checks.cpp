@@ -108,6 +108,16 @@ Complaint check(const MassProperties& m, real lengthUnit)
         .first();
 }
 
+Complaint checkMass(std::string_view field, std::string value, const MassSum& m)
+{
+    // The inertia of a body as large as the bounds allow is greater than kHuge; its inverse is a number yet.
+    const auto within = [](double x, double most) { return x >= kTiny && x <= most; };
+    if (m.mass == 0 || (within(m.mass, kHuge) && within(m.inertia, 1 / kTiny))) return std::nullopt;
+    return InputError(std::string(field), std::move(value),
+                      "must give the body a mass within [1.2e-38, 1e30] kg and an inertia within "
+                      "[1.2e-38, 8.5e37] kg*m^2");
+}
+
 Complaint check(const BodyDef& def, real lengthUnit)
 {
     const auto type = static_cast<int>(def.type);

@@ -14,6 +14,13 @@
 
 namespace tamias2d::inline TAMIAS_PRECISION {
 
+/// What the shapes of a body make of it.
+struct MassSum {
+    double mass = 0;        // [kg]
+    double inertia = 0;     // about the center   [kg*m^2]
+    DVec2 center;           // in the body's frame   [m]
+};
+
 /// All that one World owns.
 struct World::Impl {
     explicit Impl(const WorldDef& def, std::uint32_t number)
@@ -66,6 +73,11 @@ struct World::Impl {
     ShapeId createShape(BodyId body, const ShapeDef& def);
     void destroyShape(std::uint32_t slot);
     void updateMass(std::uint32_t bodySlot);
+    static constexpr std::uint32_t kNoShape = 0xffffffffu;
+    MassSum massOfShapes(const BodyRow& body, std::uint32_t slot = kNoShape,
+                         const ShapeDef* def = nullptr) const;
+    Complaint checkMassWith(std::string_view field, const ShapeDef& def, std::uint32_t bodySlot,
+                            std::uint32_t slot = kNoShape) const;
     void moveCenter(std::uint32_t bodySlot, Position origin, Vec2 before, Vec2 center);
     void rebuildConvex(std::uint32_t shapeSlot);
     void endContacts(std::uint32_t shapeSlot);
@@ -81,6 +93,7 @@ Complaint check(const WorldDef& def);
 Complaint check(const Tuning& tuning);
 Complaint check(const Material& material);
 Complaint check(const MassProperties& mass, real lengthUnit);
+Complaint checkMass(std::string_view field, std::string value, const MassSum& mass);
 Complaint check(const BodyDef& def, real lengthUnit);
 Complaint check(const ShapeDef& def, real lengthUnit);
 Complaint check(const LastingForce& force, real lengthUnit);

@@ -46,7 +46,9 @@ ShapeDef Shape::definition() const
 void Shape::redefine(const ShapeDef& def)
 {
     TAMIAS_SHAPE_ROW(s);
-    if (!w || refuse(check(def, w->impl_->settings.lengthUnit))) return;
+    if (!w || refuse(check(def, w->impl_->settings.lengthUnit)) ||
+        refuse(w->impl_->checkMassWith("ShapeDef.density", def, s.body, id_.index)))
+        return;
     s.def = def;
     w->impl_->rebuildConvex(id_.index);
     w->impl_->updateMass(s.body);
@@ -87,6 +89,9 @@ void Shape::setDensity(real density)
 {
     TAMIAS_SHAPE_ROW(s);
     if (!w || refuse(checkRange("density", density, 0, 1e30, "must be finite and >= 0 kg/m^2"))) return;
+    ShapeDef def = s.def;
+    def.density = density;
+    if (refuse(w->impl_->checkMassWith("density", def, s.body, id_.index))) return;
     s.def.density = density;
     w->impl_->updateMass(s.body);
 }

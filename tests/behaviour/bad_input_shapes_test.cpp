@@ -248,6 +248,33 @@ TEST(BadInput, ADeadOrNullShapeRefusesEveryCall)
     }
 }
 
+// Each number is good by itself, yet their product is none that a mass can have: what it divides would be no
+// number, or what divides by it.
+TEST(BadInput, DensitiesThatMakeNoMassAreRefused)
+{
+    TRACES("R4", "DD1", "DD14");
+    Everything all;
+    const ShapeDef great{.geometry = makeBox(1e5, 1e5), .density = toReal(1e20)};
+    const ShapeDef tiny{.geometry = Circle{{}, toReal(1e-5)}, .density = toReal(1e-30)};
+    const ShapeDef slow{.geometry = makeBox(1e6, 1e6), .density = toReal(1e16)};  // 1e28 kg, 1.7e39 kg*m^2
+    for (const ShapeDef& def : {great, slow}) {
+        expectRefused(all, "createShape", "ShapeDef.density", [&] { all.box.createShape(def); });
+        expectRefused(all, "redefine", "ShapeDef.density", [&] { all.boxShape.redefine(def); });
+    }
+    expectRefused(all, "redefine", "ShapeDef.density", [&] { all.boxShape.redefine(tiny); });
+    all.box.createShape(tiny);  // beside the box it does no harm
+    all.boxShape.redefine({.geometry = makeBox(10, 10)});
+    expectRefused(all, "setDensity", "density", [&] { all.boxShape.setDensity(toReal(1e29)); });
+
+    // A body whose mass is set by hand, or never counts, may have them until it is to count.
+    all.disc.setMass({1, {}, 1});
+    all.disc.createShape(great);
+    expectRefused(all, "resetMass", "mass", [&] { all.disc.resetMass(); });
+    all.platform.createShape(great);
+    expectRefused(all, "setType", "type", [&] { all.platform.setType(BodyType::Dynamic); });
+    EXPECT_EQ(all.world.step().nonFinite, 0u);
+}
+
 TEST(BadInput, EveryCallOfAShapeChecksItsNumbers)
 {
     TRACES("R4");
