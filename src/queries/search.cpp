@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Questions about the present poses. Each looks at the boxes of all shapes, and closer at those that
-// qualify: linear in the number of shapes.
+// Questions about the present poses. Each looks at all shapes, rays first at the boxes around them: linear
+// in the number of shapes.
 
 #include "queries/search.hpp"
 

@@ -26,7 +26,7 @@ struct SolverCounts {
     double impactTime = 0, solveTime = 0;   ///< [ms]
 };
 
-/// Moves all rows through the step: the only loop over sub-steps. docs/theory/contacts.md, section 5.
+/// Moves all rows through the step: the only loop over ticks. docs/theory/contacts.md, section 5.
 SolverCounts solve(SolverStage& stage, const StepContext& context);
 
 }  // namespace tamias2d::inline TAMIAS_PRECISION

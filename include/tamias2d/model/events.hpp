@@ -26,7 +26,7 @@ struct HitEvent {
     Vec2 normal;                ///< from A to B, length 1                         [1]
     Vec2 armA, armB;            ///< from each center of mass to the point: r_AP, r_BP  [m]
     real approachSpeed = 0;     ///< -n . (v_B - v_A) at the point, before; > 0    [m/s]
-    real restitution = 0;       ///< of the pair; plastic impulses of a crowded sub-step have 0   [1]
+    real restitution = 0;       ///< of the pair; plastic impulses of a crowded tick have 0   [1]
     real normalImpulse = 0;     ///< j along the normal on B, -j on A              [N*s]
     real tangentImpulse = 0;    ///< friction, along the normal turned by +90 degrees, on B   [N*s]
     Vec2 velocityA, velocityB;            ///< of the centers, just before             [m/s]

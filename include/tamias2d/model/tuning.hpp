@@ -6,7 +6,7 @@
 namespace tamias2d::inline TAMIAS_PRECISION {
 
 /// The constants of the contact model. The defaults suit any scene; lengths among them are given
-/// for lengthUnit = 1 and scale with it. docs/theory/contacts.md derives each.
+/// for lengthUnit = 1 and scale with it. A tick is half a sub-step. docs/theory/contacts.md derives each.
 struct Tuning {
     real restGap = real(0.001);  ///< gap at which bodies rest, over the smaller width  [1]   in (0, 0.1]
     real touchingFactor = real(1.1);  ///< touching means gap <= this x the rest gap         [1]   in [1, 3]
@@ -16,12 +16,11 @@ struct Tuning {
         real(0.25);  ///< nothing is pushed while the gap is this much short of the rest gap  [1]  in [0, 1]
     int extraPasses = 4;  ///< over the contacts of a restless island, in a tick [1]   in [0, 100]
     real restless = real(0.005);  ///< an island is: its last pass changed a speed by more  [lengthUnit/s] > 0
-    real calmRate =
-        real(0.3);  ///< part of the speed a calm loaded body loses in half a sub-step  [1] in [0, 1)
+    real calmRate = real(0.3);  ///< part of the speed a calm loaded body loses in a tick  [1] in [0, 1)
     real calmSpeed = real(0.1);  ///< above which nothing is calmed            [lengthUnit/s] > 0
-    real impactThreshold = 1;  ///< slowest impact, over what steady forces do in a sub-step  [1] in [0.1, 10]
-    int impactsPerContact = 32;  ///< in one sub-step; plastic after half of them       [1]   in [2, 1000]
-    int impactSweeps = 50;  ///< over all contacts, in one sub-step                [1]   in [1, 1000]
+    real impactThreshold = 1;  ///< slowest impact, over what steady forces do in a tick  [1] in [0.1, 10]
+    int impactsPerContact = 32;  ///< in one tick; plastic after half of them       [1]   in [2, 1000]
+    int impactSweeps = 50;  ///< over all contacts, in one tick                [1]   in [1, 1000]
 
     friend constexpr bool operator==(const Tuning&, const Tuning&) noexcept = default;
 };

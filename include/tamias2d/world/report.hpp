@@ -32,11 +32,11 @@ struct StepReport {
     std::uint32_t dynamicBodies = 0;
     std::uint32_t shapes = 0;
     std::uint32_t pairs = 0;             ///< of shapes whose swept boxes overlap
-    std::uint32_t sweptPairs = 0;        ///< looked at again in every sub-step
+    std::uint32_t sweptPairs = 0;        ///< looked at again in every tick (half sub-step)
     std::uint32_t touching = 0;          ///< contacts that touch at the end
     std::uint32_t impacts = 0;           ///< impulses at their time of impact
     std::uint32_t repaired = 0;  ///< pairs added because an impact threw a body out of its swept box
-    std::uint32_t islands = 0;  ///< groups of bodies connected by loaded contacts
+    std::uint32_t islands = 0;  ///< groups of movable bodies that touch or bear each other; one alone counts
     std::uint32_t nonFinite = 0;  ///< bodies set aside (disabled) as a value of theirs was no number
     std::uint32_t forceLawFaults = 0;  ///< force laws that threw or returned no number
     double deepestOverlap = 0;  ///< at the end of the step   [m]   >= 0
