@@ -152,7 +152,8 @@ def check_paths(args) -> list[str]:
 def check_links(args) -> list[str]:
     """Every file that a page links to, or shows, is there."""
     link = re.compile(r"\]\((?!https?:|mailto:|#)([^)\s#]+)")
-    code = re.compile(r"^```.*?^```|`[^`\n]*`", re.M | re.S)
+    # Code is no prose: a lambda looks like a link. A fence may be indented, in a list.
+    code = re.compile(r"^ *(?P<fence>```+|~~~+).*?^ *(?P=fence)|`[^`\n]*`", re.M | re.S)
     faults = []
     for page in tracked("*.md"):
         prose = code.sub(lambda block: "\n" * block[0].count("\n"), (ROOT / page).read_text())

@@ -53,7 +53,7 @@ def main() -> int:
 def check(build: Path) -> list[str]:
     faults = []
     out = build / "snippets"
-    out.mkdir(exist_ok=True)
+    out.mkdir(parents=True, exist_ok=True)
     pages = [ROOT / "README.md", ROOT / "CONTRIBUTING.md", *sorted((ROOT / "docs").rglob("*.md"))]
     for number, program in enumerate(p for page in pages for p in programs(page)):
         if program.file and (ROOT / program.file).read_text() != program.text:
@@ -81,11 +81,14 @@ def compile_and_run(program: Program, build: Path, stem: Path) -> str | None:
     libraries = [f"tamias2d{suffix}"]
     if "tamias2d/scene/" in program.text:
         libraries.insert(0, f"tamias2d_scene{suffix}")
+    archives = [next(build.rglob(f"lib{name}.a"), None) for name in libraries]
+    if missing := [name for name, archive in zip(libraries, archives) if archive is None]:
+        return f"needs {' and '.join(missing)}, which {build} does not hold: build the target first"
     source = stem.with_suffix(".cpp")
     source.write_text(program.text)
     compiled = subprocess.run(
         ["c++", "-std=c++20", "-ffp-contract=off", "-O1", "-Wall", "-Wextra", "-Werror", f"-I{ROOT / 'include'}", source,
-         "-o", stem, *(str(next(build.rglob(f"lib{name}.a"))) for name in libraries)], capture_output=True, text=True)
+         "-o", stem, *archives], capture_output=True, text=True)
     if compiled.returncode:
         return "does not compile:\n" + compiled.stderr
     try:
