@@ -71,8 +71,7 @@ std::vector<BodyResult> bodiesOf(World& world)
 
 std::uint64_t sumOf(const ClampCounts& c)
 {
-    return std::uint64_t{c.speed} + c.position + c.push + c.impactsPerContact + c.impactSweeps +
-           c.advancement;
+    return std::uint64_t{c.speed} + c.position + c.push + c.impactsPerContact + c.advancement;
 }
 
 /// Why a step makes the run a failure; empty if it does not.

@@ -32,7 +32,6 @@ void fieldsOf(const Tuning*, Visit visit)
     visit("calmSpeed", &Tuning::calmSpeed);
     visit("impactThreshold", &Tuning::impactThreshold);
     visit("impactsPerContact", &Tuning::impactsPerContact);
-    visit("impactSweeps", &Tuning::impactSweeps);
 }
 
 template <class Visit>

@@ -122,7 +122,7 @@ Impact nextImpact(const Contact& c, const ImpactPoint points[2], const FlyingPai
     // What impacts of this tick have left of an approach is not the work of steady forces; but there is an
     // end to it, as friction at an impact may turn the bodies on towards each other by ever less.
     real threshold = impactThreshold(c, pair.a, pair.b, context);
-    if (c.impacts > 0) threshold = maximum(threshold / 8, real(1e-4) * c.fastestImpact);
+    if (c.impacts > 0) threshold = maximum(threshold / 3, real(1e-4) * c.fastestImpact);
     for (int k = 0; k < c.count; ++k) {
         if (!(c.points[k].normalMass > 0)) continue;
         real t = parabolaTime(c, k, points[k], pair, threshold, context);

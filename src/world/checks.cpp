@@ -66,7 +66,6 @@ Complaint check(const Tuning& t)
         .range("Tuning.calmSpeed", t.calmSpeed, kTiny, kMaxSpeed, "must be > 0 lengthUnit/s and finite")
         .range("Tuning.impactThreshold", t.impactThreshold, 0.1, 10, "must be in [0.1, 10]")
         .range("Tuning.impactsPerContact", t.impactsPerContact, 2, 1000, "must be in [2, 1000]")
-        .range("Tuning.impactSweeps", t.impactSweeps, 1, 1000, "must be in [1, 1000]")
         .first();
 }
 

@@ -154,7 +154,6 @@ StepReport World::Impl::step(double dt, int substeps)
     r.clamps.speed += counts.clamps.speed;
     r.clamps.push += counts.clamps.push;
     r.clamps.impactsPerContact += counts.clamps.impactsPerContact;
-    r.clamps.impactSweeps += counts.clamps.impactSweeps;
     r.clamps.advancement += counts.clamps.advancement;
     r.repaired = counts.repaired;
     r.forceLawFaults += counts.lawFaults;

@@ -29,9 +29,6 @@ const std::vector<BadNumber<Tuning>> kTuningFields = {
     {"impactsPerContact",
      {INT_MIN, -1, 0, 1, 1001, INT_MAX},
      [](Tuning& t, double x) { t.impactsPerContact = static_cast<int>(x); }},
-    {"impactSweeps",
-     {INT_MIN, -1, 0, 1001, INT_MAX},
-     [](Tuning& t, double x) { t.impactSweeps = static_cast<int>(x); }},
 };
 
 const std::vector<BadNumber<WorldDef>> kWorldDefFields = {

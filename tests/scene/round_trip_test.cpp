@@ -25,7 +25,7 @@ std::unique_ptr<World> strangeWorld()
     def.frictionMixing = MixingRule::Average;
     def.restitutionMixing = MixingRule::Minimum;
     def.tuning.restGap = toReal(0.002);
-    def.tuning.impactSweeps = 70;
+    def.tuning.impactsPerContact = 70;
     auto world = std::make_unique<World>(def);
 
     BodyDef body;

@@ -34,8 +34,8 @@ RunTotals runSeconds(World& world, double seconds, double rate, int substeps, Ea
         const StepReport report = world.step(1.0 / rate, substeps);
         totals.impacts += report.impacts;
         totals.clampedBodies += report.clamps.speed + report.clamps.position;
-        totals.clampedContacts += report.clamps.push + report.clamps.impactsPerContact +
-                                  report.clamps.impactSweeps + report.clamps.advancement;
+        totals.clampedContacts +=
+            report.clamps.push + report.clamps.impactsPerContact + report.clamps.advancement;
         totals.faults += report.nonFinite + report.forceLawFaults + (report.status != StepStatus::Done);
         totals.deepestOverlap = std::max(totals.deepestOverlap, report.deepestOverlap);
         const double after = world.energy().total();

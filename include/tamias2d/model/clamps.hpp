@@ -14,7 +14,6 @@ struct ClampCounts {
     std::uint32_t position = 0;          ///< bodies stopped at kMaxPosition
     std::uint32_t push = 0;  ///< contact points whose overlap asked for more than Tuning::pushSpeed
     std::uint32_t impactsPerContact = 0;  ///< contacts that used all of Tuning::impactsPerContact
-    std::uint32_t impactSweeps = 0;  ///< ticks (half sub-steps) that used all of Tuning::impactSweeps
     std::uint32_t advancement = 0;  ///< swept tests that ran out of iterations (taken as a hit)
 };
 

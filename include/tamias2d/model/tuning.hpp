@@ -20,7 +20,6 @@ struct Tuning {
     real calmSpeed = real(0.1);  ///< above which nothing is calmed            [lengthUnit/s] > 0
     real impactThreshold = 1;  ///< slowest impact, over what steady forces do in a tick  [1] in [0.1, 10]
     int impactsPerContact = 32;  ///< in one tick; plastic after half of them       [1]   in [2, 1000]
-    int impactSweeps = 50;  ///< over all contacts, in one tick                [1]   in [1, 1000]
 
     friend constexpr bool operator==(const Tuning&, const Tuning&) noexcept = default;
 };
