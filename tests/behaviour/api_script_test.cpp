@@ -126,7 +126,8 @@ private:
             if (shape.isAlive()) shape.redefine(anyShape());
             break;
         case 21:
-            body.applyImpulse(anyVelocity(), anyPlace());
+            // Near the body: a far one, thrown out by an open wall, would be asked to spin without measure.
+            body.applyImpulse(anyVelocity(), body.position() + DVec2{between(-1, 1), between(-1, 1)});
             break;
         case 22:
             body.setLocks(below(4) == 0, below(4) == 0, below(4) == 0);
