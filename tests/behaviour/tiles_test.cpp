@@ -105,6 +105,12 @@ TEST(Tiles, SeamsOfFlushSegmentsAreNotFelt)
     expectSmoothRides({.segments = true});
 }
 
+TEST(Tiles, SeamsAreNotFeltByBodiesThatCouldBounce)
+{
+    TRACES("R8", "R7", "T5", "DD12");
+    for (const double restitution : {0.5, 1.0}) expectSmoothRides({.restitution = restitution});
+}
+
 TEST(Tiles, GapsAndOverlapsOfATenthOfAMillimetreAreNotFeltBetweenBoxes)
 {
     TRACES("R8", "R7", "T5");
@@ -115,6 +121,13 @@ TEST(Tiles, GapsAndOverlapsOfATenthOfAMillimetreAreNotFeltBetweenSegments)
 {
     TRACES("R8", "R7", "T5");
     expectSmoothRides({.segments = true, .off = 1e-4});
+}
+
+TEST(Tiles, UnevenByATenthOfAMillimetreAreGlidedOver)
+{
+    TRACES("R8", "R7", "T5");
+    for (const bool segments : {false, true})
+        expectSmoothRides({.segments = segments, .off = 1e-4, .uneven = 1e-4});
 }
 
 TEST(Tiles, AWallAtTheEndStopsEveryRider)

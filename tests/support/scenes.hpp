@@ -98,8 +98,10 @@ struct Tiles {
     bool segments = false;     ///< lines instead of boxes
     bool oneBody = false;      ///< all shapes on one body instead of a body each
     double off = 0;            ///< by how much each is off its place, either way   [m]
+    double uneven = 0;         ///< by how much each is too high or too low         [m]
     double step = 0;           ///< how much higher the tiles from number 100 on lie   [m]
     double friction = 0;       ///< [1]
+    double restitution = 0;    ///< [1]
 };
 
 inline void addTiles(World& world, const Tiles& tiles)
@@ -108,6 +110,7 @@ inline void addTiles(World& world, const Tiles& tiles)
     bodyDef.type = BodyType::Static;
     ShapeDef shapeDef;
     shapeDef.material.friction = toReal(tiles.friction);
+    shapeDef.material.restitution = toReal(tiles.restitution);
     if (tiles.segments)
         shapeDef.geometry = Segment{vec(-0.5, 0), vec(0.5, 0)};
     else
@@ -117,7 +120,8 @@ inline void addTiles(World& world, const Tiles& tiles)
     Body floor;
     if (tiles.oneBody) floor = world.createBody(bodyDef);
     for (int i = 0; i < 200; ++i) {
-        const Position at{i + random.between(-tiles.off, tiles.off), (i < 100 ? 0 : tiles.step) - depth};
+        Position at{i + random.between(-tiles.off, tiles.off), (i < 100 ? 0 : tiles.step) - depth};
+        if (tiles.uneven > 0) at.y += random.between(-tiles.uneven, tiles.uneven);
         if (tiles.oneBody) {
             shapeDef.offset = vec(at.x, at.y);
         } else {
