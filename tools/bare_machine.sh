@@ -34,8 +34,8 @@ rm -f "$root.log"
 chroot "$root" dpkg-query -W -f '${Package}\n' | wc -l | sed 's/$/ packages/'
 
 # The way to the registries, as on this machine.
-for file in /etc/apt/sources.list /etc/apt/sources.list.d/debian.sources /etc/apt/apt.conf.d/*artifact* \
-    /etc/apt/apt.conf.d/*proxy* /etc/resolv.conf /etc/hosts /etc/ssl/certs/ca-certificates.crt /etc/npmrc /etc/pip.conf \
+for file in /etc/apt/sources.list /etc/apt/sources.list.d/debian.sources /etc/apt/apt.conf.d/* \
+    /etc/resolv.conf /etc/hosts /etc/ssl/certs/ca-certificates.crt /etc/npmrc /etc/pip.conf \
     ${SSL_CERT_FILE:-}; do
     [ ! -f "$file" ] || install -D -m 644 "$file" "$root$file"
 done
