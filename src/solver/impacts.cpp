@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: MIT
-// Impulses at their time of impact, in the order of their times. A body hit at time t keeps its impulse
-// as two kicks, before and after the drift, so that it ends up where a body hit at t would be: no
-// position is ever corrected. docs/theory/contacts.md, section 3.
+// Impacts in the order of their times: the earliest acts, and all contacts of its two bodies look again.
+// docs/theory/contacts.md, section 3.
 
 #include "solver/impacts.hpp"
 
 #include "contacts/rows.hpp"
 #include "contacts/update.hpp"
-#include "solver/flight.hpp"
+#include "solver/impact_response.hpp"
 
 #include <algorithm>
 
@@ -42,25 +41,16 @@ private:
     std::vector<std::uint32_t> versions_;    // by contact
     std::vector<std::uint32_t> places_;      // by contact
     std::vector<std::vector<std::uint32_t>> contactsOf_;  // by row; of bodies that move
+    ImpactResponse response_;
     std::vector<Due> queue_;                 // a heap
 
     Contact& contact(std::uint32_t i) { return stage_.contacts.rows[i]; }
     Motion& motion(std::uint32_t row) { return stage_.motions.rows[row]; }
-    FlyingPair pairOf(const Contact& c)
-    {
-        return {motion(c.rowA), motion(c.rowB), flights_[c.rowA], flights_[c.rowB]};
-    }
+    FlyingPair pairOf(const Contact& c) const { return response_.pairOf(c); }
 
     void connect();
     void placePoints(std::uint32_t i);
     void schedule(std::uint32_t i);
-    void process(std::uint32_t i, const Impact& impact);
-    bool processBoth(Contact& c, int first, real t, real restitution);
-    void processOne(Contact& c, int point, real t, real restitution);
-    real frictionImpulse(Contact& c, const Moment& moment, real normalImpulse, real t);
-    void applyAt(const Contact& c, const PlacedPoint& place, Vec2 impulse, real t);
-    void record(Contact& c, const Moment& before, real normalImpulse, real tangentImpulse, real t,
-                real restitution);
     void follow(std::uint32_t row, std::uint32_t hit);
     Trajectory pathOf(std::uint32_t row, Position origin);
     bool turnsOn(const Contact& c, real rest);
@@ -72,7 +62,8 @@ private:
 ImpactSolver::ImpactSolver(ImpactStage& stage, const StepContext& context, int tick)
     : stage_(stage), context_(context), tickStart_(static_cast<real>(tick) * context.h),
       flights_(stage.motions.rows.size()), points_(2 * stage.contacts.rows.size()),
-      versions_(stage.contacts.rows.size()), places_(stage.contacts.rows.size())
+      versions_(stage.contacts.rows.size()), places_(stage.contacts.rows.size()),
+      response_(stage, context, flights_, tickStart_)
 {
     for (std::size_t row = 0; row < flights_.size(); ++row)
         flights_[row] = flightOf(stage.motions.rows[row], context.invH);
@@ -109,139 +100,6 @@ void ImpactSolver::schedule(std::uint32_t i)
     if (impact.time == kNever) return;
     queue_.push_back({impact, c.impacts, places_[i], versions_[i]});
     std::push_heap(queue_.begin(), queue_.end());
-}
-
-void ImpactSolver::applyAt(const Contact& c, const PlacedPoint& place, Vec2 impulse, real t)
-{
-    const real late = t * context_.invH, early = 1 - late;
-    const auto hit = [&](std::uint32_t row, Vec2 arm, Vec2 given) {
-        const Motion& m = motion(row);
-        if (!m.moves()) return;
-        Flight& f = flights_[row];
-        ImpactKick& kick = stage_.kicks[row];
-        const Vec2 dv{m.invMass.x * given.x, m.invMass.y * given.y};
-        const real dw = m.invInertia * cross(arm, given);
-        f.velocity += dv;
-        f.spin += dw;
-        f.offset -= t * dv;
-        f.turned -= t * dw;
-        kick.before += early * dv;
-        kick.after += late * dv;
-        kick.spinBefore += early * dw;
-        kick.spinAfter += late * dw;
-        f.clock = t;
-    };
-    hit(c.rowA, place.armA, -impulse);
-    hit(c.rowB, place.armB, impulse);
-}
-
-// Friction acts on the slip that the normal impulse leaves: the other order raises energy [ADR16].
-real ImpactSolver::frictionImpulse(Contact& c, const Moment& moment, real normalImpulse, real t)
-{
-    if (!(c.friction > 0)) return 0;
-    const Vec2 tangent = perpendicular(moment.normal);
-    const real mass = compliance(motion(c.rowA), moment.place.armA, tangent) +
-                      compliance(motion(c.rowB), moment.place.armB, tangent);
-    if (!(mass > 0)) return 0;
-    const Flight &fa = flights_[c.rowA], &fb = flights_[c.rowB];
-    const Vec2 vA = fa.velocity + t * fa.acceleration, vB = fb.velocity + t * fb.acceleration;
-    const real wA = fa.spin + t * fa.spinRate, wB = fb.spin + t * fb.spinRate;
-    const real slip =
-        dot(tangent, vB + cross(wB, moment.place.armB) - vA - cross(wA, moment.place.armA)) + c.surfaceSpeed;
-    const real impulse = clamp(-slip / mass, -c.friction * normalImpulse, c.friction * normalImpulse);
-    applyAt(c, moment.place, impulse * tangent, t);
-    return impulse;
-}
-
-void ImpactSolver::record(Contact& c, const Moment& before, real normalImpulse, real tangentImpulse, real t,
-                          real restitution)
-{
-    const Flight& fa = flights_[c.rowA];
-    const Motion& a = motion(c.rowA);
-    ImpactRecord entry;
-    entry.shapeA = c.shapeA;
-    entry.shapeB = c.shapeB;
-    HitEvent& hit = entry.hit;
-    hit.time = context_.time + static_cast<double>(tickStart_) + static_cast<double>(t);
-    hit.point = a.center + toDVec2(fa.shiftAt(t)) + toDVec2(before.place.armA);
-    hit.normal = before.normal;
-    hit.armA = before.place.armA;
-    hit.armB = before.place.armB;
-    hit.approachSpeed = -before.normalSpeed();
-    c.fastestImpact = maximum(c.fastestImpact, hit.approachSpeed);
-    hit.restitution = restitution;
-    hit.normalImpulse = normalImpulse;
-    hit.tangentImpulse = tangentImpulse;
-    hit.velocityA = before.velocityA;
-    hit.velocityB = before.velocityB;
-    hit.angularVelocityA = before.spinA;
-    hit.angularVelocityB = before.spinB;
-    hit.group = stage_.groups;
-    c.stepImpulse += normalImpulse * before.normal + tangentImpulse * perpendicular(before.normal);
-    stage_.records.push_back(entry);
-}
-
-// DD8 at one point, then Coulomb.
-void ImpactSolver::processOne(Contact& c, int k, real t, real restitution)
-{
-    const Moment moment = momentAt(c, c.points[k].anchor, pairOf(c), t);
-    const real mass = compliance(motion(c.rowA), moment.place.armA, moment.normal) +
-                      compliance(motion(c.rowB), moment.place.armB, moment.normal);
-    const real impulse = -(1 + restitution) * moment.normalSpeed() / mass;
-    applyAt(c, moment.place, impulse * moment.normal, t);
-    const real friction = frictionImpulse(c, moment, impulse, t);
-    c.points[k].stepNormal += impulse;
-    c.points[k].stepTangent += friction;
-    record(c, moment, impulse, friction, t, restitution);
-}
-
-// Two points that close at once: both normal speeds are reversed together, which keeps the energy
-// of an elastic flat landing. False if only one of them takes part.
-bool ImpactSolver::processBoth(Contact& c, int first, real t, real restitution)
-{
-    const int second = 1 - first;
-    const FlyingPair pair = pairOf(c);
-    const Moment one = momentAt(c, c.points[first].anchor, pair, t);
-    const Moment two = momentAt(c, c.points[second].anchor, pair, t);
-    const real v1 = dot(c.normal, one.relative()), v2 = dot(c.normal, two.relative());
-    if (!(two.place.gap < real(0.05) * c.restGap) || !(v2 < 0) || !(v1 < 0)) return false;
-
-    const Motion &a = motion(c.rowA), &b = motion(c.rowB);
-    const Vec2 n = c.normal;
-    const real k1 = compliance(a, one.place.armA, n) + compliance(b, one.place.armB, n);
-    const real k2 = compliance(a, two.place.armA, n) + compliance(b, two.place.armB, n);
-    const real k12 = (a.invMass.x + b.invMass.x) * n.x * n.x + (a.invMass.y + b.invMass.y) * n.y * n.y +
-                     a.invInertia * cross(one.place.armA, n) * cross(two.place.armA, n) +
-                     b.invInertia * cross(one.place.armB, n) * cross(two.place.armB, n);
-    // One of the two may have no part in it: the first one hit then turns the body off the other.
-    const real b1 = -(1 + restitution) * v1, b2 = -(1 + restitution) * v2;
-    real j1, j2;
-    if (!solveBlock(k1, k2, k12, -b1, -b2, j1, j2)) return false;
-
-    if (j1 > 0) applyAt(c, one.place, j1 * n, t);
-    if (j2 > 0) applyAt(c, two.place, j2 * n, t);
-    const real f1 = j1 > 0 ? frictionImpulse(c, one, j1, t) : real(0);
-    const real f2 = j2 > 0 ? frictionImpulse(c, two, j2, t) : real(0);
-    c.points[first].stepNormal += j1;
-    c.points[first].stepTangent += f1;
-    c.points[second].stepNormal += j2;
-    c.points[second].stepTangent += f2;
-    if (j1 > 0) record(c, one, j1, f1, t, restitution);
-    if (j2 > 0) record(c, two, j2, f2, t, restitution);
-    return true;
-}
-
-void ImpactSolver::process(std::uint32_t i, const Impact& impact)
-{
-    Contact& c = contact(i);
-    // A crowded tick ends plastic, so that it ends.
-    ++c.impacts;
-    const real restitution = c.impacts > context_.tuning.impactsPerContact / 2 ? real(0) : c.restitution;
-    if (c.impacts == context_.tuning.impactsPerContact) ++stage_.clamps.impactsPerContact;
-
-    ++stage_.groups;
-    if (c.count < 2 || !processBoth(c, impact.point, impact.time, restitution))
-        processOne(c, impact.point, impact.time, restitution);
 }
 
 Trajectory ImpactSolver::pathOf(std::uint32_t row, Position origin)
@@ -355,7 +213,7 @@ void ImpactSolver::run()
         const std::uint32_t i = stage_.contacts.order[due.place];
         if (due.version != versions_[i]) continue;
         connect();
-        process(i, due.impact);
+        response_.act(contact(i), due.impact);
         follow(contact(i).rowA, i);
         follow(contact(i).rowB, i);
     }
