@@ -90,7 +90,7 @@ bool solveBlock(real k1, real k2, real k12, real r1, real r2, real& x1, real& x2
     x1 = 0, x2 = -r2 / k2;
     if (x2 >= 0 && r1 + k12 * x2 >= 0) return true;
     x1 = x2 = 0;
-    return true;
+    return r1 >= 0 && r2 >= 0;  // at the border of two cases rounding may find none to hold
 }
 
 namespace {
@@ -177,7 +177,10 @@ real solveNormal(Contact& contact, ContactPointRow& point, Motion& a, Motion& b,
 
 void solveFriction(Contact& contact, ContactPointRow& point, Motion& a, Motion& b)
 {
-    if (!(point.tangentMass > 0)) return;
+    if (!(point.tangentMass > 0)) {
+        point.tangentImpulse = 0;
+        return;
+    }
     const Vec2 t = perpendicular(contact.normal);
     const real slip = dot(t, relativeVelocity(point, a, b)) + contact.surfaceSpeed;
     const real limit = contact.friction * point.normalImpulse;
@@ -189,7 +192,11 @@ void solveFriction(Contact& contact, ContactPointRow& point, Motion& a, Motion& 
 void solveRolling(Contact& contact, Motion& a, Motion& b)
 {
     const real k = a.invInertia + b.invInertia;
-    if (!(contact.rolling > 0) || !(k > 0)) return;
+    if (!(k > 0)) {
+        contact.rollingImpulse = 0;
+        return;
+    }
+    if (!(contact.rolling > 0) && contact.rollingImpulse == 0) return;
     real load = 0;
     for (int i = 0; i < contact.count; ++i) load += contact.points[i].normalImpulse;
     const real limit = contact.rolling * load;
@@ -319,7 +326,7 @@ void repayPush(Contact& contact, Motion& a, Motion& b, real h)
     }
     const Vec2 d = toVec2(b.center - a.center);
     const real squared = dot(d, d);
-    if (!(pushed > 0) || !(load > 0) || !a.moves() || !b.moves() || !(squared > 0)) return;
+    if (!(pushed > 0) || !(load > 0) || !a.isFree() || !b.isFree() || !(squared > 0)) return;
     const real gained = h * pushed * cross(contact.normal, b.velocity - a.velocity);
     const Vec2 impulse = -gained / squared * perpendicular(d);
     applyImpulse(a, b, {}, {}, impulse);

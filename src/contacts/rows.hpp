@@ -66,7 +66,8 @@ void applyImpulse(Motion& a, Motion& b, Vec2 armA, Vec2 armB, Vec2 impulse);
 
 /// Two impulses that are each >= 0 and bring both residuals to >= 0 (with = 0 where the impulse is
 /// > 0): the linear complementarity problem of a two-point contact, solved exactly by its four cases.
-/// `r` are the residuals at zero impulse. False if the block is too near to singular.
+/// `r` are the residuals at zero impulse. False if the block is too near to singular, or
+/// if by rounding no case holds: then the points are visited singly.
 bool solveBlock(real k1, real k2, real k12, real r1, real r2, real& x1, real& x2);
 
 }  // namespace tamias2d::inline TAMIAS_PRECISION

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "contacts/update.hpp"
 
-#include <limits>
-
 namespace tamias2d::inline TAMIAS_PRECISION {
 
 // The deceleration -c v of damping holds for times well below 1/c only. Held at what takes all speed away in
@@ -84,7 +82,7 @@ void adoptManifold(Contact& contact, const SweptResult& result, real matchDistan
         }
         if (nearest >= 0) carry(i, nearest);
     }
-    if (count == 0) contact.rollingImpulse = 0;
+    if (!found[0] && !found[1]) contact.rollingImpulse = 0;
 }
 
 namespace {

@@ -20,7 +20,7 @@ struct Damping {
 /// One body while it is being solved. Bodies that cannot move have no inverse mass.
 struct Motion {
     Position center;           // [m]
-    double angle = 0;          // not wrapped within a step   [rad]
+    double angle = 0;          // in [0, 2 pi)   [rad]
     Rot rotation;
     Vec2 velocity;             // [m/s]
     real spin = 0;             // [rad/s]
@@ -47,6 +47,7 @@ struct Motion {
     real extent = 0;           // farthest point of its shapes from the center   [m]
     std::uint32_t body = 0;    // slot in the BodyTable
 
+    bool isFree() const { return invMass.x > 0 && invMass.x == invMass.y; }   ///< no locked axis
     bool moves() const { return invMass.x + invMass.y > 0 || invInertia > 0; }
 };
 

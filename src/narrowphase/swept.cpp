@@ -167,11 +167,12 @@ bool closesAtStart(const Sweep& s, const Manifold& manifold)
     const Trajectory &pathA = s.pair.pathA, &pathB = s.pair.pathB;
     const Vec2 vA = pathA.velocity + s.from * pathA.acceleration;
     const Vec2 vB = pathB.velocity + s.from * pathB.acceleration;
+    const real spinA = pathA.spin + s.from * pathA.spinRate, spinB = pathB.spin + s.from * pathB.spinRate;
     for (int i = 0; i < manifold.count; ++i) {
         const Vec2 rA = rotate(s.a0.q, manifold.points[i].localA);
         const Vec2 rB = rotate(s.b0.q, manifold.points[i].localB);
         const real gap = dot(manifold.normal, (s.b0.p + rB) - (s.a0.p + rA)) - s.radii;
-        const Vec2 v = vB + cross(pathB.spin, rB) - vA - cross(pathA.spin, rA);
+        const Vec2 v = vB + cross(spinB, rB) - vA - cross(spinA, rA);
         const real slow = real(1e-3) * s.travel / (s.to - s.from);
         if (gap < real(1.5) * s.pair.restGap && dot(manifold.normal, v) < -slow) return true;
     }

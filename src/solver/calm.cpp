@@ -29,7 +29,8 @@ struct FreeIsland {
 
 double massOf(const Motion& m)
 {
-    return 1 / static_cast<double>(maximum(m.invMass.x, m.invMass.y));
+    const real inverse = maximum(m.invMass.x, m.invMass.y);
+    return inverse > 0 ? 1 / static_cast<double>(inverse) : 0;  // pinned: it has no motion but its spin
 }
 double inertiaOf(const Motion& m)
 {

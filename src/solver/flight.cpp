@@ -76,9 +76,11 @@ real parabolaTime(const Contact& c, int k, const ImpactPoint& point, const Flyin
         bend += fa.spin * fa.spin * dot(n, coreA) - fb.spin * fb.spin * dot(n, coreB);
     }
 
+    // What turns with the two was placed at the start of the search, else at the start of the tick.
     const real start = pair.start();
-    const real gap = point.gap + offset + speed * start + bend * start * start / 2;
-    const real closing = speed + bend * start;
+    const real before = normalTurns(c, c.points[k].anchor) ? push : bend;
+    const real gap = point.gap + offset + speed * start + before * start * start / 2;
+    const real closing = speed + before * start;
     real t = start;
     if (gap > 0) {
         const real discriminant = closing * closing - 2 * bend * gap;

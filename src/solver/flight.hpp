@@ -51,7 +51,7 @@ struct Moment {
 /// Bodies and point at time `t` of the tick, turned as they are then.
 Moment momentAt(const Contact& contact, const ManifoldPoint& anchor, const FlyingPair& pair, real t);
 
-/// What the search for impacts needs to know of a point: all as at the start of the tick.
+/// What the search for impacts needs to know of a point. The gap is taken back to the start of the tick.
 struct ImpactPoint {
     Vec2 normal;
     Vec2 armA, armB;

@@ -82,6 +82,7 @@ void ImpactResponse::actOnOne(Contact& c, int k, real t, real restitution)
     const Moment moment = momentAt(c, c.points[k].anchor, pairOf(c), t);
     const real mass = compliance(motion(c.rowA), moment.place.armA, moment.normal) +
                       compliance(motion(c.rowB), moment.place.armB, moment.normal);
+    if (!(mass > 0)) return;
     const real impulse = -(1 + restitution) * moment.normalSpeed() / mass;
     applyAt(c, moment.place, impulse * moment.normal, t);
     const real friction = frictionImpulse(c, moment, impulse, t);

@@ -13,7 +13,7 @@
 
 namespace tamias2d::inline TAMIAS_PRECISION {
 
-/// One impulse at its time, with rows and slots instead of ids.
+/// One impulse at its time, with slots instead of ids.
 struct ImpactRecord {
     std::uint32_t shapeA, shapeB;   // slots
     HitEvent hit;                   // all but its ids

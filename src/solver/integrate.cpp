@@ -108,7 +108,7 @@ void kickSecond(Motion& m, const ImpactKick& kick)
 void repayImpact(Motion& m, const ImpactKick& kick, Vec2 solved, real h)
 {
     const bool hit = kick.after.x != 0 || kick.after.y != 0;
-    if (!hit || !(m.invInertia > 0) || !(m.invMass.x > 0) || m.invMass.x != m.invMass.y) return;
+    if (!hit || !(m.invInertia > 0) || !m.isFree()) return;
     const Vec2 early = m.loaded ? solved + real(0.5) * (m.steady + h * m.acceleration) : solved;
     m.spin -= m.invInertia * h / m.invMass.x * cross(early, kick.after);
 }

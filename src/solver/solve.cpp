@@ -6,7 +6,6 @@
 
 #include "base/timer.hpp"
 #include "contacts/rows.hpp"
-#include "contacts/update.hpp"
 #include "solver/calm.hpp"
 #include "solver/integrate.hpp"
 
@@ -178,9 +177,9 @@ SolverCounts solve(SolverStage& stage, const StepContext& context)
         if (tick == 0) pushApart(stage, context, scratch, counts.clamps);
         for (std::size_t i = 0; i < rows.size(); ++i) {
             const Vec2 solved = scratch.changes[i].velocity + rows[i].velocity;
-            repayImpact(rows[i], scratch.kicks[i], solved, context.h);
             scratch.changes[i].velocity += rows[i].velocity + rows[i].steady;
             scratch.changes[i].spin += rows[i].spin + rows[i].steadySpin;
+            repayImpact(rows[i], scratch.kicks[i], solved, context.h);
         }
         addUpImpulses(stage);
 

@@ -10,7 +10,7 @@ FixedStepper::FixedStepper(double step, int substeps, double maxFrame)
     : step_(step), substeps_(substeps), maxFrame_(maxFrame)
 {
     if (!Checks()
-             .that(step > 0 && step <= 1, "step", step, "must be in (0, 1] s")
+             .that(step >= 1e-12 && step <= 1, "step", step, "must be in [1e-12, 1] s")
              .range("substeps", substeps, 1, 256, "must be in [1, 256]")
              .range("maxFrame", maxFrame, step, kAnyFinite, "must be finite and >= step, in s")
              .refuse())

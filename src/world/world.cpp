@@ -189,7 +189,7 @@ std::vector<std::pair<BodyId, ForceLaw>> World::forceLaws() const
 
 StepReport World::step(double dt, int substeps) noexcept
 {
-    if (!(dt > 0 && dt <= 1) || substeps < 1 || substeps > 256) {
+    if (!(dt >= 1e-12 && dt <= 1) || substeps < 1 || substeps > 256) {
         impl_->report = {};
         impl_->report.status = StepStatus::BadTimeStep;
         impl_->report.substeps = 0;

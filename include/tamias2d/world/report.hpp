@@ -10,7 +10,7 @@ namespace tamias2d::inline TAMIAS_PRECISION {
 
 enum class StepStatus : std::uint8_t {
     Done,
-    BadTimeStep,  ///< dt was not in (0, 1] s, or substeps not in [1, 256]: nothing moved
+    BadTimeStep,  ///< dt was not in [1e-12, 1] s, or substeps not in [1, 256]: nothing moved
 };
 
 /// Wall-clock time of the stages of one step, for profiles only.   [ms]

@@ -184,7 +184,8 @@ public:
     std::vector<std::pair<BodyId, ForceLaw>> forceLaws() const;
 
     // --- time
-    /// Moves everything by dt. A bad dt or substeps is told in the report, and nothing moves.
+    /// Moves everything by dt, in [1e-12, 1] s, in 1 to 256 sub-steps. A bad dt or substeps is told in the
+    /// report, and nothing moves.
     StepReport step(double dt = 1.0 / 60.0, int substeps = 4) noexcept;  ///< dt [s]
     double time() const noexcept;  ///< sum of all dt   [s]
     std::uint64_t stepCount() const noexcept;
