@@ -196,6 +196,19 @@ TEST(Locks, MakeABodyImmovableForCollisionsAlongThem)
 
 // Of the two points of its contact one lies under the center, where nothing can move a body that only turns;
 // the other one must hold it all the same, whichever of them comes first.
+TEST(Locks, LetAPinnedPlankTipHoweverSlowly)
+{
+    TRACES("R2", "R7");
+    // A plank pinned at its middle, with a box a little off the middle on top of it.
+    World world;
+    addGround(world);
+    Body plank = addBox(world, {0, 1.5}, 4, 0.2);
+    plank.setLocks(true, true, false);
+    const Body box = addBox(world, {0.02, 1.5 + 0.1 + 0.2 + 0.0002}, 0.4, 0.4, {.friction = 1});
+    runSeconds(world, 8);
+    EXPECT_GT(box.position().x, 0.05);
+}
+
 TEST(Locks, LeaveABodyThatOnlyTurnsToTheContactBesideItsCenter)
 {
     TRACES("R2", "R8");

@@ -130,6 +130,27 @@ TEST(RollingResistance, HoldsADiscOnASlopeThatIsFlatEnough)
     }
 }
 
+TEST(RollingResistance, ThatIsTakenAwayStopsActing)
+{
+    TRACES("R3", "LC2");
+    World world;
+    const double r = 0.5, v = 3;
+    Body ground = addGround(world, 0, 200, {.rollingResistance = 0.05});
+    Body disc = addDisc(world, {-50, r * 1.002}, r,
+                        {.velocity = vec(v, 0), .spin = -v / r, .rollingResistance = 0.05});
+    runSeconds(world, 1);
+    for (Body body : {ground, disc}) {
+        Material smooth = body.shapes().front().definition().material;
+        smooth.rollingResistance = 0;
+        body.shapes().front().setMaterial(smooth);
+    }
+    world.step();
+    const double spin = spinOf(disc);
+    EXPECT_LT(spin, -1);  // it rolls on
+    runSeconds(world, 5);
+    EXPECT_NEAR(spinOf(disc), spin, 1e-4);
+}
+
 TEST(RollingResistance, OfNoneLetsADiscRollOn)
 {
     TRACES("R3");
