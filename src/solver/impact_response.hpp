@@ -2,7 +2,7 @@
 #pragma once
 
 #include "solver/flight.hpp"
-#include "solver/impacts.hpp"
+#include "solver/impact_stage.hpp"
 
 #include <vector>
 

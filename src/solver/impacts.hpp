@@ -1,36 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "contacts/pairs.hpp"
-#include "model/contacts.hpp"
-#include "model/step_context.hpp"
-#include "solver/integrate.hpp"
-
-#include <tamias2d/model/clamps.hpp>
-#include <tamias2d/model/events.hpp>
-
-#include <vector>
+#include "solver/impact_stage.hpp"
 
 namespace tamias2d::inline TAMIAS_PRECISION {
-
-/// One impulse at its time, with slots instead of ids.
-struct ImpactRecord {
-    std::uint32_t shapeA, shapeB;   // slots
-    HitEvent hit;                   // all but its ids
-};
-
-/// What the impact stage works on and fills.
-struct ImpactStage {
-    const ContactWorld& world;
-    MotionTable& motions;
-    ContactTable& contacts;
-    std::vector<SweepBox>& boxes;          // of the broad phase: grown for bodies thrown out of theirs
-    std::vector<ImpactKick>& kicks;        // by row
-    std::vector<ImpactRecord>& records;
-    ClampCounts& clamps;
-    std::uint32_t& repaired;               // pairs added in mid-step
-    std::uint32_t& groups;                 // impacts so far in the step
-};
 
 /// Finds the impacts of one tick and applies each at its time. `tick` is its number within the step.
 /// Contacts must be prepared at the present poses. docs/theory/contacts.md, section 3.
