@@ -9,3 +9,12 @@ export function launch() {
       '--disable-component-update', '--disable-sync'],
   });
 }
+
+// Asks the page until it answers true. Playwright's own waitForFunction may use eval, which the page forbids.
+export async function waitUntil(tab, question, milliseconds = 30000) {
+  for (const end = Date.now() + milliseconds; Date.now() < end;) {
+    if (await tab.evaluate(question)) return;
+    await new Promise((resolve) => { setTimeout(resolve, 20); });
+  }
+  throw new Error(`still false after ${milliseconds} ms: ${question}`);
+}

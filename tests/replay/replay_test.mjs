@@ -6,7 +6,7 @@ import { mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { pathToFileURL } from 'node:url';
-import { launch } from './browser.mjs';
+import { launch, waitUntil } from './browser.mjs';
 import { crowd, motionOf, pageOf, sample } from './sample.mjs';
 import { boundsOfPatch, colorAt, colorGap, countNear, differing, parseColor, screenshot } from './pixels.mjs';
 
@@ -81,7 +81,7 @@ for (const [name, file] of Object.entries(pages)) describe(name, () => {
 
   test('plays by itself once opened, pauses, and stops at the end', () => withPage(file, { frame: null }, async (tab, api) => {
     assert.equal(await api('isPlaying'), true);
-    await tab.waitForFunction(() => window.tamiasReplay.frame() >= 3);
+    await waitUntil(tab, () => window.tamiasReplay.frame() >= 3);
     await tab.click('#play');
     const frame = await api('frame');
     await tab.waitForTimeout(250);
@@ -89,7 +89,7 @@ for (const [name, file] of Object.entries(pages)) describe(name, () => {
     assert.equal(await api('frame'), frame, 'a paused page stays where it is');
     await api('setFrame', last - 2);
     await api('play');
-    await tab.waitForFunction(() => !window.tamiasReplay.isPlaying());
+    await waitUntil(tab, () => !window.tamiasReplay.isPlaying());
     assert.equal(await api('frame'), last);
     await tab.click('#play');
     assert.ok(await api('frame') < last, 'play at the end begins anew');
