@@ -54,10 +54,7 @@ void prepareContact(Contact& contact, const Motion& a, const Motion& b)
     }
     if (contact.count == 2) {
         const ContactPointRow &p = contact.points[0], &q = contact.points[1];
-        contact.crossMass = (a.invMass.x + b.invMass.x) * n.x * n.x +
-                            (a.invMass.y + b.invMass.y) * n.y * n.y +
-                            a.invInertia * cross(p.armA, n) * cross(q.armA, n) +
-                            b.invInertia * cross(p.armB, n) * cross(q.armB, n);
+        contact.crossMass = crossCompliance(a, b, n, p.armA, p.armB, q.armA, q.armB);
     }
 }
 

@@ -49,7 +49,7 @@ struct Contact {
     bool atImpact = false;       // the manifold is that of a moment of impact
     bool touching = false;       // at the end of the last step
     int impacts = 0;             // in this tick
-    real fastestImpact = 0;                 // approach of the fastest of them   [m/s]
+    real fastestImpact = 0;      // approach of the fastest of them   [m/s]
 };
 
 /// All contacts, sorted by (shapeA, shapeB); those found in mid-step stand at the end until the next.

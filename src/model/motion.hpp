@@ -66,6 +66,15 @@ inline real compliance(const Motion& m, Vec2 arm, Vec2 n)
     return m.invMass.x * n.x * n.x + m.invMass.y * n.y * n.y + m.invInertia * turn * turn;
 }
 
+/// The same between two points of a pair along one `n`: how an impulse at one moves the other.   [1/kg]
+inline real crossCompliance(const Motion& a, const Motion& b, Vec2 n, Vec2 armA, Vec2 armB, Vec2 otherArmA,
+                            Vec2 otherArmB)
+{
+    return (a.invMass.x + b.invMass.x) * n.x * n.x + (a.invMass.y + b.invMass.y) * n.y * n.y +
+           a.invInertia * cross(armA, n) * cross(otherArmA, n) +
+           b.invInertia * cross(armB, n) * cross(otherArmB, n);
+}
+
 inline Vec2 velocityAt(const Motion& m, Vec2 arm)
 {
     return m.velocity + cross(m.spin, arm);

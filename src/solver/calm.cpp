@@ -36,10 +36,6 @@ double inertiaOf(const Motion& m)
 {
     return m.invInertia > 0 ? 1 / static_cast<double>(m.invInertia) : 0;
 }
-bool hasLockedAxis(const Motion& m)
-{
-    return !(m.invMass.x > 0 && m.invMass.y > 0);
-}
 
 // Mass-weighted rigid motion of each island without a ground.
 std::vector<FreeIsland> measureFreeIslands(const std::vector<Motion>& rows,
@@ -50,7 +46,7 @@ std::vector<FreeIsland> measureFreeIslands(const std::vector<Motion>& rows,
         for (std::size_t i = 0; i < rows.size(); ++i) {
             const std::uint32_t island = islands.islandOf[i];
             if (island == Islands::kNone || islands.groundOf[island] != Islands::kNone) continue;
-            if (!hasLockedAxis(rows[i])) visit(free[island], rows[i], changes[i]);
+            if (rows[i].isFree()) visit(free[island], rows[i], changes[i]);
         }
     };
     each([](FreeIsland& island, const Motion& m, const TickChange& change) {
@@ -119,7 +115,7 @@ void calm(std::vector<Motion>& rows, const std::vector<TickChange>& changes, con
         const std::uint32_t ground = islands.groundOf[island];
         if (ground == Islands::kSeveral) continue;  // no one motion to come to rest against
         const bool isFree = ground == Islands::kNone;
-        if (isFree && hasLockedAxis(m)) continue;   // its momentum could not be given back
+        if (isFree && !m.isFree()) continue;   // its momentum could not be given back
         const Reference reference = isFree ? free[island].motion : motionOfGround(rows[ground]);
 
         // Motion against the reference, and whether its kinetic energy rises.
@@ -147,8 +143,7 @@ void calm(std::vector<Motion>& rows, const std::vector<TickChange>& changes, con
     for (std::size_t i = 0; i < rows.size(); ++i) {
         Motion& m = rows[i];
         const std::uint32_t island = islands.islandOf[i];
-        if (island == Islands::kNone || islands.groundOf[island] != Islands::kNone || hasLockedAxis(m))
-            continue;
+        if (island == Islands::kNone || islands.groundOf[island] != Islands::kNone || !m.isFree()) continue;
         const FreeIsland& f = free[island];
         if (!(f.mass > 0) || !(f.inertia > 0)) continue;
         const Vec2 r = toVec2(m.center - f.motion.center);

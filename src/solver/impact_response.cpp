@@ -106,9 +106,7 @@ bool ImpactResponse::actOnBoth(Contact& c, int first, real t, real restitution)
     const Vec2 n = c.normal;
     const real k1 = compliance(a, one.place.armA, n) + compliance(b, one.place.armB, n);
     const real k2 = compliance(a, two.place.armA, n) + compliance(b, two.place.armB, n);
-    const real k12 = (a.invMass.x + b.invMass.x) * n.x * n.x + (a.invMass.y + b.invMass.y) * n.y * n.y +
-                     a.invInertia * cross(one.place.armA, n) * cross(two.place.armA, n) +
-                     b.invInertia * cross(one.place.armB, n) * cross(two.place.armB, n);
+    const real k12 = crossCompliance(a, b, n, one.place.armA, one.place.armB, two.place.armA, two.place.armB);
     // One of the two may have no part in it: the first one hit then turns the body off the other.
     const real b1 = -(1 + restitution) * v1, b2 = -(1 + restitution) * v2;
     real j1, j2;

@@ -192,12 +192,13 @@ void ImpactSolver::pairAgain(std::uint32_t row)
     }
 }
 
-// What the impact of a contact changes for a body of it: all its contacts go another way.
+// What the impact of a contact changes for a body of it: all its other contacts go another way.
 void ImpactSolver::follow(std::uint32_t row, std::uint32_t hit)
 {
     if (!motion(row).moves()) return;
     for (const std::uint32_t i : contactsOf_[row]) {
-        resweep(i, i == hit);
+        if (i == hit) continue;
+        resweep(i, false);
         schedule(i);
     }
     pairAgain(row);
@@ -214,6 +215,8 @@ void ImpactSolver::run()
         if (due.version != versions_[i]) continue;
         connect();
         response_.act(contact(i), due.impact);
+        resweep(i, true);
+        schedule(i);
         follow(contact(i).rowA, i);
         follow(contact(i).rowB, i);
     }
