@@ -47,13 +47,4 @@ void sweepPairs(std::vector<SweepBox>& boxes, std::vector<ShapePair>& pairs)
     std::sort(pairs.begin(), pairs.end());
 }
 
-void overlapping(const std::vector<SweepBox>& boxes, const Aabb& box, std::uint32_t body,
-                 std::vector<std::uint32_t>& found)
-{
-    found.clear();
-    // Boxes that have grown since they were sorted are out of order: all are looked at.
-    for (std::uint32_t i = 0; i < boxes.size(); ++i)
-        if (boxes[i].body != body && overlaps(boxes[i].box, box)) found.push_back(i);
-}
-
 }  // namespace tamias2d::inline TAMIAS_PRECISION

@@ -25,8 +25,4 @@ struct ShapePair {
 /// Sorts the boxes by their left edges and returns all overlapping pairs, sorted by shape.
 void sweepPairs(std::vector<SweepBox>& boxes, std::vector<ShapePair>& pairs);
 
-/// The boxes that overlap `box`, of shapes of other bodies than `body`, as indices into `boxes`.
-void overlapping(const std::vector<SweepBox>& boxes, const Aabb& box, std::uint32_t body,
-                 std::vector<std::uint32_t>& found);
-
 }  // namespace tamias2d::inline TAMIAS_PRECISION

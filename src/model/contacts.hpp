@@ -48,6 +48,7 @@ struct Contact {
     bool swept = false;          // looked at again in every tick
     bool atImpact = false;       // the manifold is that of a moment of impact
     bool touching = false;       // at the end of the last step
+    bool crowded = false;        // between bodies of at least Tuning::crowd that meet
     int impacts = 0;             // in this tick
     real fastestImpact = 0;      // approach of the fastest of them   [m/s]
 };

@@ -31,6 +31,7 @@ void fieldsOf(const Tuning*, Visit visit)
     visit("calmRate", &Tuning::calmRate);
     visit("calmSpeed", &Tuning::calmSpeed);
     visit("impactThreshold", &Tuning::impactThreshold);
+    visit("crowd", &Tuning::crowd);
     visit("impactsPerContact", &Tuning::impactsPerContact);
 }
 

@@ -119,12 +119,16 @@ real refined(const Contact& c, const ManifoldPoint& anchor, const FlyingPair& pa
 Impact nextImpact(const Contact& c, const ImpactPoint points[2], const FlyingPair& pair,
                   const StepContext& context)
 {
+    constexpr real kSlow = 10;  // rest gaps a tick: a hundredth of the smaller width
     Impact next;
     if (c.impacts >= context.tuning.impactsPerContact) return next;
     // What impacts of this tick have left of an approach is not the work of steady forces; but there is an
     // end to it, as friction at an impact may turn the bodies on towards each other by ever less.
     real threshold = impactThreshold(c, pair.a, pair.b, context);
     if (c.impacts > 0) threshold = maximum(threshold / 3, real(1e-4) * c.fastestImpact);
+    // In a crowd whatever stops slowly stops many others with it, at no one time: the passes find that at
+    // once.
+    if (c.crowded && !(c.restitution > 0)) threshold = maximum(threshold, kSlow * c.restGap * context.invH);
     for (int k = 0; k < c.count; ++k) {
         if (!(c.points[k].normalMass > 0)) continue;
         real t = parabolaTime(c, k, points[k], pair, threshold, context);

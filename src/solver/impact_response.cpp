@@ -56,6 +56,7 @@ void ImpactResponse::record(Contact& c, const Moment& before, real normalImpulse
     ImpactRecord entry;
     entry.shapeA = c.shapeA;
     entry.shapeB = c.shapeB;
+    entry.number = static_cast<std::uint32_t>(stage_.records.size());
     HitEvent& hit = entry.hit;
     hit.time = context_.time + static_cast<double>(tickStart_) + static_cast<double>(t);
     hit.point = a.center + toDVec2(fa.shiftAt(t)) + toDVec2(before.place.armA);

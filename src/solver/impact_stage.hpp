@@ -4,6 +4,7 @@
 #include "contacts/pairs.hpp"
 #include "model/contacts.hpp"
 #include "model/step_context.hpp"
+#include "solver/impact_scratch.hpp"
 #include "solver/integrate.hpp"
 
 #include <tamias2d/model/clamps.hpp>
@@ -16,6 +17,7 @@ namespace tamias2d::inline TAMIAS_PRECISION {
 /// One impulse at its time, with slots instead of ids.
 struct ImpactRecord {
     std::uint32_t shapeA, shapeB;   // slots
+    std::uint32_t number;           // in the order in which they acted
     HitEvent hit;                   // all but its ids
 };
 
@@ -27,6 +29,7 @@ struct ImpactStage {
     std::vector<SweepBox>& boxes;          // of the broad phase: grown for bodies thrown out of theirs
     std::vector<ImpactKick>& kicks;        // by row
     std::vector<ImpactRecord>& records;
+    ImpactScratch& scratch;
     ClampCounts& clamps;
     std::uint32_t& repaired;               // pairs added in mid-step
     std::uint32_t& groups;                 // impacts so far in the step

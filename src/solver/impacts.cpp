@@ -13,20 +13,6 @@
 namespace tamias2d::inline TAMIAS_PRECISION {
 namespace {
 
-// An impact that awaits its turn.
-struct Due {
-    Impact impact;
-    int before;              // impacts of the contact so far: of those at one time, take turns
-    std::uint32_t place;     // of the contact in the order of solving
-    std::uint32_t version;   // of the contact's motion when it was found
-
-    bool operator<(const Due& other) const  // the heap has the greatest on top
-    {
-        if (impact.time != other.impact.time) return impact.time > other.impact.time;
-        return before != other.before ? before > other.before : place > other.place;
-    }
-};
-
 class ImpactSolver {
 public:
     ImpactSolver(ImpactStage& stage, const StepContext& context, int tick);
@@ -35,20 +21,17 @@ public:
 private:
     ImpactStage& stage_;
     const StepContext& context_;
+    ImpactScratch& scratch_;
     const real tickStart_;                   // within the step   [s]
-    std::vector<Flight> flights_;            // by row
-    std::vector<ImpactPoint> points_;        // two for each contact
-    std::vector<std::uint32_t> versions_;    // by contact
-    std::vector<std::uint32_t> places_;      // by contact
-    std::vector<std::vector<std::uint32_t>> contactsOf_;  // by row; of bodies that move
+    bool connected_ = false;                 // have the chains been made?
     ImpactResponse response_;
-    std::vector<Due> queue_;                 // a heap
 
     Contact& contact(std::uint32_t i) { return stage_.contacts.rows[i]; }
     Motion& motion(std::uint32_t row) { return stage_.motions.rows[row]; }
     FlyingPair pairOf(const Contact& c) const { return response_.pairOf(c); }
 
     void connect();
+    void chain(std::uint32_t i);
     void placePoints(std::uint32_t i);
     void schedule(std::uint32_t i);
     void follow(std::uint32_t row, std::uint32_t hit);
@@ -56,55 +39,67 @@ private:
     bool turnsOn(const Contact& c, real rest);
     void resweep(std::uint32_t i, bool own);
     void pairAgain(std::uint32_t row);
+    bool isKnown(std::uint32_t row, const ShapePair& pair);
     void add(const ShapePair& pair);
 };
 
 ImpactSolver::ImpactSolver(ImpactStage& stage, const StepContext& context, int tick)
-    : stage_(stage), context_(context), tickStart_(static_cast<real>(tick) * context.h),
-      flights_(stage.motions.rows.size()), points_(2 * stage.contacts.rows.size()),
-      versions_(stage.contacts.rows.size()), places_(stage.contacts.rows.size()),
-      response_(stage, context, flights_, tickStart_)
+    : stage_(stage), context_(context), scratch_(stage.scratch),
+      tickStart_(static_cast<real>(tick) * context.h),
+      response_(stage, context, stage.scratch.flights, tickStart_)
 {
-    for (std::size_t row = 0; row < flights_.size(); ++row)
-        flights_[row] = flightOf(stage.motions.rows[row], context.invH);
-    for (std::uint32_t k = 0; k < places_.size(); ++k) {
+    const std::size_t rows = stage.motions.rows.size(), contacts = stage.contacts.rows.size();
+    scratch_.flights.resize(rows);
+    scratch_.points.resize(2 * contacts);
+    scratch_.versions.assign(contacts, 0);
+    scratch_.places.resize(contacts);
+    scratch_.queue.clear();
+    for (std::size_t row = 0; row < rows; ++row)
+        scratch_.flights[row] = flightOf(stage.motions.rows[row], context.invH);
+    for (std::uint32_t k = 0; k < contacts; ++k) {
         const std::uint32_t i = stage.contacts.order[k];
         contact(i).impacts = 0;
         contact(i).fastestImpact = 0;
-        places_[i] = k;
+        scratch_.places[i] = k;
         placePoints(i);
     }
 }
 
 void ImpactSolver::connect()
 {
-    if (!contactsOf_.empty()) return;
-    contactsOf_.resize(flights_.size());
-    for (const std::uint32_t i : stage_.contacts.order)
-        for (const std::uint32_t row : {contact(i).rowA, contact(i).rowB})
-            if (motion(row).moves()) contactsOf_[row].push_back(i);
+    if (connected_) return;
+    connected_ = true;
+    scratch_.chains.reset(scratch_.flights.size());
+    for (const std::uint32_t i : stage_.contacts.order) chain(i);
+}
+
+void ImpactSolver::chain(std::uint32_t i)
+{
+    const Contact& c = contact(i);
+    if (motion(c.rowA).moves()) scratch_.chains.append(c.rowA, i, 0);
+    if (motion(c.rowB).moves()) scratch_.chains.append(c.rowB, i, 1);
 }
 
 void ImpactSolver::placePoints(std::uint32_t i)
 {
     const Contact& c = contact(i);
     for (int k = 0; k < c.count; ++k)
-        points_[2 * std::size_t{i} + static_cast<std::size_t>(k)] = impactPoint(c, k, pairOf(c));
+        scratch_.points[2 * std::size_t{i} + static_cast<std::size_t>(k)] = impactPoint(c, k, pairOf(c));
 }
 
 void ImpactSolver::schedule(std::uint32_t i)
 {
     const Contact& c = contact(i);
-    ++versions_[i];
-    const Impact impact = nextImpact(c, &points_[2 * std::size_t{i}], pairOf(c), context_);
+    ++scratch_.versions[i];
+    const Impact impact = nextImpact(c, &scratch_.points[2 * std::size_t{i}], pairOf(c), context_);
     if (impact.time == kNever) return;
-    queue_.push_back({impact, c.impacts, places_[i], versions_[i]});
-    std::push_heap(queue_.begin(), queue_.end());
+    scratch_.queue.push_back({impact, c.impacts, scratch_.places[i], scratch_.versions[i]});
+    std::push_heap(scratch_.queue.begin(), scratch_.queue.end());
 }
 
 Trajectory ImpactSolver::pathOf(std::uint32_t row, Position origin)
 {
-    const Flight& f = flights_[row];
+    const Flight& f = scratch_.flights[row];
     Trajectory path = predictedPath(motion(row), origin, context_.invH);
     path.position += f.offset;
     path.angle += static_cast<double>(f.turned);
@@ -119,8 +114,8 @@ Trajectory ImpactSolver::pathOf(std::uint32_t row, Position origin)
 bool ImpactSolver::turnsOn(const Contact& c, real rest)
 {
     const auto sagitta = [rest](real spin, real extent) { return spin * rest * (spin * rest) / 8 * extent; };
-    return sagitta(flights_[c.rowA].spin, motion(c.rowA).extent) +
-               sagitta(flights_[c.rowB].spin, motion(c.rowB).extent) >
+    return sagitta(scratch_.flights[c.rowA].spin, motion(c.rowA).extent) +
+               sagitta(scratch_.flights[c.rowB].spin, motion(c.rowB).extent) >
            c.restGap / 2;
 }
 
@@ -151,14 +146,13 @@ void ImpactSolver::add(const ShapePair& pair)
     const auto i = static_cast<std::uint32_t>(stage_.contacts.rows.size());
     Contact added = makeContact(stage_.world, pair);
     added.swept = true;
-    places_.push_back(static_cast<std::uint32_t>(stage_.contacts.order.size()));
-    versions_.push_back(0);
-    points_.resize(points_.size() + 2);
+    scratch_.places.push_back(static_cast<std::uint32_t>(stage_.contacts.order.size()));
+    scratch_.versions.push_back(0);
+    scratch_.points.resize(scratch_.points.size() + 2);
     stage_.contacts.order.push_back(i);
     stage_.contacts.rows.push_back(added);
     ++stage_.repaired;
-    for (const std::uint32_t row : {added.rowA, added.rowB})
-        if (motion(row).moves()) contactsOf_[row].push_back(i);
+    chain(i);
     resweep(i, false);
     schedule(i);
 }
@@ -173,30 +167,38 @@ void ImpactSolver::pairAgain(std::uint32_t row)
     for (const std::uint32_t shape : stage_.world.bodies.rows[m.body].shapes) {
         const Convex& convex = stage_.world.shapes.rows[shape].convex;
         const real margin = 3 * stage_.world.restGap * convex.size;
-        const Aabb needed = sweptBounds(convex, path, m.center, flights_[row].clock, end, margin);
-        auto own = stage_.boxes.begin();
-        while (own != stage_.boxes.end() && own->shape != shape) ++own;
-        if (own == stage_.boxes.end() || contains(own->box, needed)) continue;
+        const Aabb needed = sweptBounds(convex, path, m.center, scratch_.flights[row].clock, end, margin);
+        if (!scratch_.tree.isBuilt()) scratch_.tree.build(stage_.boxes, stage_.world.shapes.rows.size());
+        const SweepBox* own = scratch_.tree.boxOf(shape);
+        if (own == nullptr || contains(own->box, needed)) continue;
 
-        std::vector<std::uint32_t> found;
-        overlapping(stage_.boxes, needed, m.body, found);
-        own->box = merged(own->box, needed);
-        for (const std::uint32_t k : found) {
+        scratch_.tree.overlapping(needed, m.body, scratch_.found);
+        scratch_.tree.grow(shape, needed);
+        for (const std::uint32_t k : scratch_.found) {
             const std::uint32_t other = stage_.boxes[k].shape;
             const ShapePair pair{minimum(shape, other), maximum(shape, other)};
-            bool known = !mayCollide(stage_.world, pair);
-            for (const std::uint32_t i : contactsOf_[row])
-                if (contact(i).shapeA == pair.a && contact(i).shapeB == pair.b) known = true;
-            if (!known) add(pair);
+            if (mayCollide(stage_.world, pair) && !isKnown(row, pair)) add(pair);
         }
     }
+}
+
+bool ImpactSolver::isKnown(std::uint32_t row, const ShapePair& pair)
+{
+    const ContactChains& chains = scratch_.chains;
+    for (std::uint32_t link = chains.first(row); link != ContactChains::kEnd; link = chains.next(link)) {
+        const Contact& c = contact(ContactChains::contactOf(link));
+        if (c.shapeA == pair.a && c.shapeB == pair.b) return true;
+    }
+    return false;
 }
 
 // What the impact of a contact changes for a body of it: all its other contacts go another way.
 void ImpactSolver::follow(std::uint32_t row, std::uint32_t hit)
 {
     if (!motion(row).moves()) return;
-    for (const std::uint32_t i : contactsOf_[row]) {
+    const ContactChains& chains = scratch_.chains;
+    for (std::uint32_t link = chains.first(row); link != ContactChains::kEnd; link = chains.next(link)) {
+        const std::uint32_t i = ContactChains::contactOf(link);
         if (i == hit) continue;
         resweep(i, false);
         schedule(i);
@@ -207,12 +209,12 @@ void ImpactSolver::follow(std::uint32_t row, std::uint32_t hit)
 void ImpactSolver::run()
 {
     for (const std::uint32_t i : stage_.contacts.order) schedule(i);
-    while (!queue_.empty()) {
-        std::pop_heap(queue_.begin(), queue_.end());
-        const Due due = queue_.back();
-        queue_.pop_back();
+    while (!scratch_.queue.empty()) {
+        std::pop_heap(scratch_.queue.begin(), scratch_.queue.end());
+        const DueImpact due = scratch_.queue.back();
+        scratch_.queue.pop_back();
         const std::uint32_t i = stage_.contacts.order[due.place];
-        if (due.version != versions_[i]) continue;
+        if (due.version != scratch_.versions[i]) continue;
         connect();
         response_.act(contact(i), due.impact);
         resweep(i, true);

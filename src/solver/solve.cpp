@@ -12,14 +12,6 @@
 namespace tamias2d::inline TAMIAS_PRECISION {
 namespace {
 
-// Scratch of one step.
-struct Scratch {
-    std::vector<ImpactKick> kicks;      // by row
-    std::vector<TickChange> changes;    // by row
-    std::vector<Push> pushes;           // by row
-    std::vector<real> unrest;           // by island: greatest change of speed in the last pass   [m/s]
-};
-
 void forgetSums(SolverStage& stage)
 {
     for (Contact& c : stage.contacts.rows) {
@@ -66,11 +58,12 @@ std::uint32_t islandOf(const SolverStage& stage, const Contact& c)
 
 // One pass settles what rests. An island whose speeds it still changed gets further passes, up to a
 // limit, on its own: its neighbors never notice.
-void solvePasses(SolverStage& stage, const StepContext& context, Scratch& scratch)
+void solvePasses(SolverStage& stage, const StepContext& context, SolverScratch& scratch)
 {
     const real restless = context.tuning.restless * context.lengthUnit;
     for (int pass = 0; pass <= context.tuning.extraPasses; ++pass) {
-        const std::vector<real> before = scratch.unrest;
+        const std::vector<real>& before = scratch.unrestBefore;
+        scratch.unrest.swap(scratch.unrestBefore);
         scratch.unrest.assign(stage.islands.count(), 0);
         bool again = false;
         for (const std::uint32_t i : stage.contacts.order) {
@@ -88,7 +81,7 @@ void solvePasses(SolverStage& stage, const StepContext& context, Scratch& scratc
 }
 
 // Once in a step, overlaps are undone by displacements that leave velocities alone.
-void pushApart(SolverStage& stage, const StepContext& context, Scratch& scratch, ClampCounts& clamps)
+void pushApart(SolverStage& stage, const StepContext& context, SolverScratch& scratch, ClampCounts& clamps)
 {
     for (const std::uint32_t i : stage.contacts.order) {
         Contact& c = stage.contacts.rows[i];
@@ -118,7 +111,8 @@ void addUpImpulses(SolverStage& stage)
 std::uint32_t accelerateAfterDrift(SolverStage& stage, const StepContext& context, double time)
 {
     std::vector<Motion>& rows = stage.motions.rows;
-    std::vector<std::pair<Vec2, real>> held(rows.size());
+    std::vector<std::pair<Vec2, real>>& held = stage.scratch.held;
+    held.resize(rows.size());
     for (std::size_t i = 0; i < rows.size(); ++i) {
         held[i] = {rows[i].velocity, rows[i].spin};
         if (rows[i].loaded) continue;
@@ -138,11 +132,12 @@ std::uint32_t accelerateAfterDrift(SolverStage& stage, const StepContext& contex
 SolverCounts solve(SolverStage& stage, const StepContext& context)
 {
     SolverCounts counts;
-    Scratch scratch;
+    SolverScratch& scratch = stage.scratch;
+    scratch.impacts.tree.clear();  // the boxes are new
     std::vector<Motion>& rows = stage.motions.rows;
     std::uint32_t groups = 0;
-    ImpactStage impacts{stage.world,   stage.motions, stage.contacts,  stage.boxes, scratch.kicks,
-                        stage.impacts, counts.clamps, counts.repaired, groups};
+    ImpactStage impacts{stage.world,   stage.motions,   stage.contacts, stage.boxes,     scratch.kicks,
+                        stage.impacts, scratch.impacts, counts.clamps,  counts.repaired, groups};
 
     for (Motion& m : rows) {
         const BodyRow& body = stage.world.bodies.rows[m.body];

@@ -1,11 +1,23 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "contacts/rows.hpp"
 #include "forces/accelerations.hpp"
 #include "islands/links.hpp"
+#include "solver/calm.hpp"
 #include "solver/impacts.hpp"
 
 namespace tamias2d::inline TAMIAS_PRECISION {
+
+/// What the solver works with; it keeps its memory from step to step.
+struct SolverScratch {
+    std::vector<ImpactKick> kicks;      // by row
+    std::vector<TickChange> changes;    // by row
+    std::vector<Push> pushes;           // by row
+    std::vector<std::pair<Vec2, real>> held;   // by row: velocity and spin
+    std::vector<real> unrest, unrestBefore;    // by island: greatest change of speed in a pass   [m/s]
+    ImpactScratch impacts;
+};
 
 /// What the solver reads and moves.
 struct SolverStage {
@@ -16,6 +28,7 @@ struct SolverStage {
     ContactTable& contacts;
     std::vector<SweepBox>& boxes;
     std::vector<ImpactRecord>& impacts;   ///< filled
+    SolverScratch& scratch;
 };
 
 /// What the solver counted and how long its parts took.

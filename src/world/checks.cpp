@@ -65,6 +65,7 @@ Complaint check(const Tuning& t)
         .that(t.calmRate >= 0 && t.calmRate < 1, "Tuning.calmRate", t.calmRate, "must be in [0, 1)")
         .range("Tuning.calmSpeed", t.calmSpeed, kTiny, kMaxSpeed, "must be > 0 lengthUnit/s and finite")
         .range("Tuning.impactThreshold", t.impactThreshold, 0.1, 10, "must be in [0.1, 10]")
+        .range("Tuning.crowd", t.crowd, 1, 1000000, "must be in [1, 1000000]")
         .range("Tuning.impactsPerContact", t.impactsPerContact, 2, 1000, "must be in [2, 1000]")
         .first();
 }

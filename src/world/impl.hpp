@@ -8,7 +8,7 @@
 #include "model/contacts.hpp"
 #include "model/motion.hpp"
 #include "model/shapes.hpp"
-#include "solver/impacts.hpp"
+#include "solver/solve.hpp"
 
 #include <tamias2d/world/world.hpp>
 
@@ -49,6 +49,7 @@ struct World::Impl {
     std::vector<SweepBox> boxes;
     std::vector<ShapePair> pairs;
     std::vector<ImpactRecord> impacts;
+    SolverScratch solverScratch;
 
     ForceField field() const
     {

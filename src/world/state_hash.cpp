@@ -45,7 +45,8 @@ void add(Hasher& hash, const WorldDef& def)
     for (const real value : {t.restGap, t.touchingFactor, t.pushRate, t.pushSpeed, t.pushSlack, t.restless,
                              t.calmRate, t.calmSpeed, t.impactThreshold})
         hash.add(value);
-    for (const int value : {t.extraPasses, t.impactsPerContact}) hash.add(static_cast<std::uint64_t>(value));
+    for (const int value : {t.extraPasses, t.crowd, t.impactsPerContact})
+        hash.add(static_cast<std::uint64_t>(value));
 }
 
 void add(Hasher& hash, const Geometry& geometry)

@@ -105,6 +105,22 @@ Islands linkTouching(const ContactTable& contacts, MotionTable& motions, const S
     });
 }
 
+void markCrowds(ContactTable& contacts, const MotionTable& motions, const Tuning& tuning)
+{
+    std::vector<bool> pushable;
+    for (const Motion& m : motions.rows) pushable.push_back(m.moves());
+    std::vector<Link> links;
+    for (const Contact& c : contacts.rows)
+        if (c.count > 0) links.push_back({c.rowA, c.rowB});
+    const Islands islands = linkIslands(links, pushable, [](std::uint32_t, std::uint32_t) { return true; });
+    const auto sizeAt = [&](std::uint32_t row) {
+        const std::uint32_t island = islands.islandOf[row];
+        return island == Islands::kNone ? 0u : islands.sizeOf[island];
+    };
+    for (Contact& c : contacts.rows)
+        c.crowded = maximum(sizeAt(c.rowA), sizeAt(c.rowB)) >= static_cast<std::uint32_t>(tuning.crowd);
+}
+
 }  // namespace
 
 StepReport World::Impl::step(double dt, int substeps)
@@ -144,12 +160,13 @@ StepReport World::Impl::step(double dt, int substeps)
 
     // Who must be solved together, and who may be side by side.
     const Islands islands = linkTouching(contacts, motions, context);
+    markCrowds(contacts, motions, context.tuning);
     colorContacts(contacts, motions);
     r.times.graph = watch.lap();
 
     // Move.
     impacts.clear();
-    SolverStage stage{world, forces, islands, motions, contacts, boxes, impacts};
+    SolverStage stage{world, forces, islands, motions, contacts, boxes, impacts, solverScratch};
     const SolverCounts counts = solve(stage, context);
     r.clamps.speed += counts.clamps.speed;
     r.clamps.push += counts.clamps.push;
@@ -182,9 +199,10 @@ StepReport World::Impl::step(double dt, int substeps)
     std::sort(begins.begin(), begins.end(), byShapes);
     std::sort(ends.begin(), ends.end(), byShapes);
     hits.clear();
-    std::stable_sort(impacts.begin(), impacts.end(), [](const ImpactRecord& a, const ImpactRecord& b) {
+    std::sort(impacts.begin(), impacts.end(), [](const ImpactRecord& a, const ImpactRecord& b) {
         if (a.hit.time != b.hit.time) return a.hit.time < b.hit.time;
-        return a.shapeA != b.shapeA ? a.shapeA < b.shapeA : a.shapeB < b.shapeB;
+        if (a.shapeA != b.shapeA) return a.shapeA < b.shapeA;
+        return a.shapeB != b.shapeB ? a.shapeB < b.shapeB : a.number < b.number;
     });
     for (const ImpactRecord& record : impacts) {
         HitEvent hit = record.hit;

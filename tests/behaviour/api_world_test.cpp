@@ -141,6 +141,7 @@ TEST(World, HasSettingsThatCanChange)
     world.setMixingRules(MixingRule::Minimum, MixingRule::Multiply);
     Tuning tuning;
     tuning.restGap = toReal(0.01);
+    tuning.crowd = 9;
     tuning.impactsPerContact = 7;
     world.setTuning(tuning);
     EXPECT_EQ(world.definition().gravity, vec(1, 2));

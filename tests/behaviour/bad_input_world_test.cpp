@@ -26,6 +26,7 @@ const std::vector<BadNumber<Tuning>> kTuningFields = {
     {"calmSpeed", kNotPositive, [](Tuning& t, double x) { t.calmSpeed = toReal(x); }},
     {"impactThreshold", notFiniteAnd({0, 0.09, 10.1}),
      [](Tuning& t, double x) { t.impactThreshold = toReal(x); }},
+    {"crowd", {INT_MIN, -1, 0, 1000001, INT_MAX}, [](Tuning& t, double x) { t.crowd = static_cast<int>(x); }},
     {"impactsPerContact",
      {INT_MIN, -1, 0, 1, 1001, INT_MAX},
      [](Tuning& t, double x) { t.impactsPerContact = static_cast<int>(x); }},

@@ -168,5 +168,44 @@ TEST(Calm, ABouncyPileGainsNoEnergy)
     expectNoEnergyFromNowhere(0.9);
 }
 
+// A row that stops stops the next, and so on up. As one impact after another that takes ten times as many of
+// them as there are contacts.
+TEST(Calm, ACrowdThatSetsDownIsStoppedByFewImpacts)
+{
+    TRACES("R8", "NFR1", "ADR21");
+    World world;
+    addGround(world);
+    const std::vector<Placed> boxes = addPyramid(world, 20);
+    for (const Placed& box : boxes) {
+        Body body = box.body;
+        body.setTransform(body.position() + DVec2{0, 0.005}, 0);
+        body.setLinearVelocity(vec(0, -0.5));
+    }
+    const double before = world.energy().total();
+    std::uint32_t impacts = 0;
+    for (int i = 0; i < 60; ++i) {
+        const StepReport report = world.step();
+        impacts += report.impacts;
+        EXPECT_EQ(report.deepestOverlap, 0) << "step " << i;
+    }
+    EXPECT_LT(impacts, world.contacts().size() / 10);
+    EXPECT_LT(world.energy().total(), before);
+    EXPECT_LE(fastestInASecond(world), kAtRest);
+    record("impacts", impacts);
+}
+
+// What meets alone is stopped at its time, to the last digit, however slowly.
+TEST(Calm, ABodyAloneIsStoppedByAnImpact)
+{
+    TRACES("R8", "DD8", "ADR21");
+    World world;
+    addGround(world);
+    const Body body = addBox(world, {0, 0.5 + restGapFor(world, 1) + 0.001}, 1, 1);
+    std::uint32_t impacts = 0;
+    for (int i = 0; i < 10; ++i) impacts += world.step().impacts;
+    EXPECT_GE(impacts, 1u);
+    EXPECT_LE(std::abs(velocityOf(body).y), 1e-6);
+}
+
 }  // namespace
 }  // namespace tamias2d::test

@@ -25,6 +25,7 @@ std::unique_ptr<World> strangeWorld()
     def.frictionMixing = MixingRule::Average;
     def.restitutionMixing = MixingRule::Minimum;
     def.tuning.restGap = toReal(0.002);
+    def.tuning.crowd = 20;
     def.tuning.impactsPerContact = 70;
     auto world = std::make_unique<World>(def);
 

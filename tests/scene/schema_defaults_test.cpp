@@ -104,7 +104,7 @@ TEST(SceneSchema, KnowsEveryFieldOfEveryDefinition)
     // These lines stop compiling when a definition gains a field; then fields.hpp and the schema want
     // a new key. The number is that of the keys, which may be nested or spread otherwise.
     [[maybe_unused]] const auto& [a1, a2, a3, a4, a5, a6] = WorldDef{};
-    [[maybe_unused]] const auto& [t1, t2, t3, t4, t5, t6, t7, t8, t9, t10, t11] = Tuning{};
+    [[maybe_unused]] const auto& [t1, t2, t3, t4, t5, t6, t7, t8, t9, t10, t11, t12] = Tuning{};
     [[maybe_unused]] const auto& [b1, b2, b3, b4, b5, b6, b7, b8, b9, b10, b11, b12, b13, b14, b15, b16] =
         BodyDef{};
     [[maybe_unused]] const auto& [s1, s2, s3, s4, s5, s6, s7] = ShapeDef{};
@@ -118,7 +118,7 @@ TEST(SceneSchema, KnowsEveryFieldOfEveryDefinition)
         return defs[name]["properties"].size() - 1;
     };  // less $comment
     EXPECT_EQ(count("world"), 6u);
-    EXPECT_EQ(count("tuning"), 11u);
+    EXPECT_EQ(count("tuning"), 12u);
     EXPECT_EQ(count("body"), 16u - 3 + 1 + 3);   // three locks are one key; shapes, forces and laws
     EXPECT_EQ(count("shape"), 7u - 2 + 6 + 6);   // a material's keys and six kinds instead of two fields
     EXPECT_EQ(count("filter"), 3u);

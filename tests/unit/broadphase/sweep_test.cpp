@@ -68,19 +68,5 @@ TEST(Sweep, TouchingEdgesAreAPairAndBoxesAtRestAreNone)
     EXPECT_EQ(pairs, (std::vector<ShapePair>{{0, 1}}));
 }
 
-TEST(Sweep, ABoxFindsWhatItOverlapsOfOtherBodies)
-{
-    TRACES("R7");
-    std::vector<SweepBox> boxes = randomBoxes(120, 9);
-    std::vector<ShapePair> pairs;
-    sweepPairs(boxes, pairs);  // sorts them
-    const Aabb box{{-4, -4}, {5, 3}};
-    std::vector<std::uint32_t> found;
-    overlapping(boxes, box, 7, found);
-    std::size_t expected = 0;
-    for (const SweepBox& b : boxes) expected += b.body != 7 && overlaps(b.box, box) ? 1 : 0;
-    EXPECT_EQ(found.size(), expected);
-}
-
 }  // namespace
 }  // namespace tamias2d

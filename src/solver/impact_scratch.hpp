@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "broadphase/tree.hpp"
+#include "solver/flight.hpp"
+
+#include <cstdint>
+#include <vector>
+
+namespace tamias2d::inline TAMIAS_PRECISION {
+
+/// An impact that awaits its turn.
+struct DueImpact {
+    Impact impact;
+    int before;              // impacts of the contact so far: of those at one time, take turns
+    std::uint32_t place;     // of the contact in the order of solving
+    std::uint32_t version;   // of the contact's motion when it was found
+
+    bool operator<(const DueImpact& other) const  // the heap has the greatest on top
+    {
+        if (impact.time != other.impact.time) return impact.time > other.impact.time;
+        return before != other.before ? before > other.before : place > other.place;
+    }
+};
+
+/// The contacts of each body, as chains through the contacts: each is in two of them, as A's and as B's.
+class ContactChains {
+public:
+    static constexpr std::uint32_t kEnd = 0xffffffffu;
+
+    void reset(std::size_t rows)
+    {
+        ends_.assign(rows, {kEnd, kEnd});
+        next_.clear();
+    }
+    /// Appends a link of contact `i` to the chain of `row`; side 0 is A's, 1 is B's.
+    void append(std::uint32_t row, std::uint32_t i, std::uint32_t side)
+    {
+        const std::uint32_t link = 2 * i + side;
+        if (next_.size() <= link) next_.resize(2 * (std::size_t{i} + 1), kEnd);
+        Ends& ends = ends_[row];
+        (ends.first == kEnd ? ends.first : next_[ends.last]) = link;
+        ends.last = link;
+    }
+    std::uint32_t first(std::uint32_t row) const { return ends_[row].first; }
+    std::uint32_t next(std::uint32_t link) const { return next_[link]; }
+    static std::uint32_t contactOf(std::uint32_t link) { return link / 2; }
+
+private:
+    struct Ends {
+        std::uint32_t first, last;
+    };
+    std::vector<Ends> ends_;            // by row
+    std::vector<std::uint32_t> next_;   // by link
+};
+
+/// What the impact stage works with; it keeps its memory from step to step.
+struct ImpactScratch {
+    std::vector<Flight> flights;             // by row
+    std::vector<ImpactPoint> points;         // two for each contact
+    std::vector<std::uint32_t> versions;     // by contact
+    std::vector<std::uint32_t> places;       // by contact, in the order of solving
+    ContactChains chains;                    // of bodies that move; made at the first impact of a tick
+    BoxTree tree;                            // over the boxes of the step; made when a body leaves its own
+    std::vector<std::uint32_t> found;        // boxes
+    std::vector<DueImpact> queue;            // a heap
+};
+
+}  // namespace tamias2d::inline TAMIAS_PRECISION

@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: MIT
+#include "broadphase/tree.hpp"
+#include "support/traces.hpp"
+
+#include <gtest/gtest.h>
+
+#include <random>
+
+namespace tamias2d {
+namespace {
+
+std::vector<SweepBox> randomBoxes(std::uint32_t count, unsigned seed)
+{
+    std::mt19937 random(seed);
+    std::uniform_real_distribution<double> place(-20, 20), size(0, 3);
+    std::vector<SweepBox> boxes;
+    for (std::uint32_t i = 0; i < count; ++i) {
+        const Position lower{place(random), place(random)};
+        const DVec2 extent{i % 17 == 0 ? 40.0 : size(random), size(random)};
+        boxes.push_back({{lower, lower + extent}, i, i / 2, i % 3 != 0});  // two shapes a body
+    }
+    return boxes;
+}
+
+std::vector<std::uint32_t> byBruteForce(const std::vector<SweepBox>& boxes, const Aabb& box,
+                                        std::uint32_t body)
+{
+    std::vector<std::uint32_t> found;
+    for (std::uint32_t i = 0; i < boxes.size(); ++i)
+        if (boxes[i].body != body && overlaps(boxes[i].box, box)) found.push_back(i);
+    return found;
+}
+
+TEST(BoxTree, FindsTheBoxesThatLookingAtAllFinds)
+{
+    TRACES("R7", "T5");
+    for (const std::uint32_t count : {0u, 1u, 7u, 8u, 9u, 64u, 65u, 600u}) {
+        std::vector<SweepBox> boxes = randomBoxes(count, count);
+        std::vector<ShapePair> pairs;
+        sweepPairs(boxes, pairs);  // sorts them, as a step does
+        BoxTree tree;
+        tree.build(boxes, count);
+        std::vector<std::uint32_t> found;
+        for (const SweepBox& asked : randomBoxes(50, 99)) {
+            tree.overlapping(asked.box, asked.body, found);
+            EXPECT_EQ(found, byBruteForce(boxes, asked.box, asked.body)) << count << " boxes";
+        }
+    }
+}
+
+TEST(BoxTree, FindsABoxThatHasGrownWhereItIsNow)
+{
+    TRACES("R7", "T5");
+    std::vector<SweepBox> boxes = randomBoxes(300, 3);
+    BoxTree tree;
+    tree.build(boxes, boxes.size());
+    const Aabb far{{500, -3}, {510, 4}};
+    std::vector<std::uint32_t> found;
+    tree.overlapping(far, 7, found);
+    EXPECT_TRUE(found.empty());
+    tree.grow(42, far);
+    tree.overlapping(far, 7, found);
+    EXPECT_EQ(found, std::vector<std::uint32_t>{42});
+    EXPECT_TRUE(contains(tree.boxOf(42)->box, far));
+}
+
+TEST(BoxTree, KnowsNoBoxOfAShapeThatHasNone)
+{
+    TRACES("R7");
+    std::vector<SweepBox> boxes = randomBoxes(10, 4);
+    boxes.erase(boxes.begin() + 3);
+    BoxTree tree;
+    tree.build(boxes, 12);
+    EXPECT_EQ(tree.boxOf(3), nullptr);
+    EXPECT_EQ(tree.boxOf(11), nullptr);
+    EXPECT_EQ(tree.boxOf(100), nullptr);
+    EXPECT_EQ(tree.boxOf(4)->shape, 4u);
+}
+
+}  // namespace
+}  // namespace tamias2d
