@@ -20,7 +20,7 @@ expect() {
 
 expect 0 "Usage: ./dev VERB"
 expect 0 "Usage: ./dev VERB" --help
-for verb in run test check verify build clean; do
+for verb in run test check verify bench build clean; do
     expect 0 "Usage: ./dev $verb" help $verb
     expect 0 "Usage: ./dev $verb" $verb --help
 done

@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: MIT
+#include "engine.hpp"
+
+#include <box2d/box2d.h>
+
+// Box2D 2.4 with the iterations its manual recommends.
+namespace tamias2d::bench {
+namespace {
+
+constexpr int kVelocityIterations = 8;
+constexpr int kPositionIterations = 3;
+
+b2Vec2 toB2(Vec v)
+{
+    return {static_cast<float>(v.x), static_cast<float>(v.y)};
+}
+
+class Box2DEngine final : public Engine {
+public:
+    explicit Box2DEngine(const Scene& scene) : world_(toB2(scene.gravity))
+    {
+        world_.SetAllowSleeping(scene.sleep);
+        for (const SceneBody& body : scene.bodies) add(body);
+    }
+
+    void step() override
+    {
+        world_.Step(static_cast<float>(kTimeStep), kVelocityIterations, kPositionIterations);
+    }
+
+    State state(std::size_t i) const override
+    {
+        const b2Body& body = *bodies_[i];
+        const b2Vec2 p = body.GetPosition(), v = body.GetLinearVelocity();
+        return {{p.x, p.y}, body.GetAngle(), {v.x, v.y}, body.GetAngularVelocity()};
+    }
+
+    void setVelocity(std::size_t i, Vec velocity, double spin) override
+    {
+        bodies_[i]->SetLinearVelocity(toB2(velocity));
+        bodies_[i]->SetAngularVelocity(static_cast<float>(spin));
+    }
+
+    Counts counts() const override
+    {
+        Counts counts{0, 0, 0};
+        for (const b2Body* body : bodies_)
+            counts.awake += body->GetType() == b2_dynamicBody && body->IsAwake() ? 1 : 0;
+        for (const b2Contact* c = world_.GetContactList(); c != nullptr; c = c->GetNext())
+            counts.contacts += c->IsTouching() ? 1 : 0;
+        return counts;
+    }
+
+private:
+    void add(const SceneBody& source)
+    {
+        b2BodyDef def;
+        def.type = source.mobility == Mobility::Free     ? b2_dynamicBody
+                   : source.mobility == Mobility::Driven ? b2_kinematicBody
+                                                         : b2_staticBody;
+        def.position = toB2(source.start.position);
+        def.angle = static_cast<float>(source.start.angle);
+        def.linearVelocity = toB2(source.start.velocity);
+        def.angularVelocity = static_cast<float>(source.start.spin);
+        def.awake = !source.asleep;
+        b2Body* body = world_.CreateBody(&def);
+        bodies_.push_back(body);
+        for (const SceneShape& shape : source.shapes) attach(*body, shape);
+    }
+
+    // It has no capsules: a box with two discs stands for one.
+    void attach(b2Body& body, const SceneShape& shape)
+    {
+        const std::vector<Vec>& c = shape.corners;
+        const bool isLine = c.size() == 2 && !(shape.radius > 0);
+        std::vector<b2Vec2> corners;
+        for (Vec p : c) corners.push_back(toB2(p));
+        b2FixtureDef fixture;
+        fixture.density = static_cast<float>(shape.density);
+        fixture.friction = static_cast<float>(shape.friction);
+        fixture.restitution = static_cast<float>(shape.restitution);
+        if (c.size() <= 2 && !isLine) {
+            for (b2Vec2 center : corners) {
+                b2CircleShape circle;
+                circle.m_p = center;
+                circle.m_radius = static_cast<float>(shape.radius);
+                fixture.shape = &circle;
+                body.CreateFixture(&fixture);
+            }
+            if (c.size() == 1) return;
+            const float r = static_cast<float>(shape.radius);
+            corners = {{corners[0].x, -r}, {corners[1].x, -r}, {corners[1].x, r}, {corners[0].x, r}};
+        }
+        b2EdgeShape edge;
+        b2PolygonShape polygon;
+        if (isLine)
+            edge.SetTwoSided(corners[0], corners[1]);
+        else
+            polygon.Set(corners.data(), static_cast<int32>(corners.size()));
+        fixture.shape = isLine ? static_cast<const b2Shape*>(&edge) : &polygon;
+        body.CreateFixture(&fixture);
+    }
+
+    b2World world_;
+    std::vector<b2Body*> bodies_;
+};
+
+}  // namespace
+
+std::string engineTitle()
+{
+    return "Box2D 2.4.1, 8 and 3 iterations";
+}
+
+std::unique_ptr<Engine> makeEngine(const Scene& scene, const Options&)
+{
+    return std::make_unique<Box2DEngine>(scene);
+}
+
+}  // namespace tamias2d::bench

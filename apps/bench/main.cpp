@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: MIT
+// Runs one scene in the one engine this program is linked with, and prints a line of JSON. tools/bench.py
+// calls it, for many scenes and engines by turns.
+
+#include "engine.hpp"
+#include "quality.hpp"
+
+#include <CLI/CLI.hpp>
+#include <fmt/core.h>
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <chrono>
+
+namespace tamias2d::bench {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+double millisecondsSince(Clock::time_point start)
+{
+    return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
+}
+
+nlohmann::json run(const Scene& scene, int steps, const Options& options)
+{
+    const auto start = Clock::now();
+    const std::unique_ptr<Engine> engine = makeEngine(scene, options);
+    const double build = millisecondsSince(start);
+
+    std::vector<double> times;
+    std::map<std::string, double> phases;
+    double awake = 0, contacts = 0;
+    for (int i = 0; i < steps; ++i) {
+        if (scene.drive) scene.drive(*engine, i);
+        const auto before = Clock::now();
+        engine->step();
+        times.push_back(millisecondsSince(before));
+        for (const auto& [name, time] : engine->phases()) phases[name] += time / steps;
+        if (i % 16 != 0) continue;
+        const Counts counts = engine->counts();
+        awake += static_cast<double>(counts.awake) * 16 / steps;
+        contacts += static_cast<double>(counts.contacts) * 16 / steps;
+    }
+    double total = 0;
+    for (double t : times) total += t;
+    std::sort(times.begin(), times.end());
+
+    const Counts last = engine->counts();
+    const Quality quality = measureQuality(scene, *engine);
+    const auto free = std::count_if(scene.bodies.begin(), scene.bodies.end(),
+                                    [](const SceneBody& b) { return b.mobility == Mobility::Free; });
+    nlohmann::json line = {{"engine", engineTitle()},
+                           {"scene", scene.name},
+                           {"threads", options.threads},
+                           {"steps", steps},
+                           {"bodies", free},
+                           {"buildMs", build},
+                           {"stepMs", total / steps},
+                           {"medianMs", times[times.size() / 2]},
+                           {"slowestMs", times.back()},
+                           {"phasesMs", phases},
+                           {"deepest", quality.deepest},
+                           {"mean", quality.mean},
+                           {"kineticEnergyPerBody", quality.kineticEnergy / static_cast<double>(free)},
+                           {"fastest", quality.fastest},
+                           {"top", quality.top},
+                           {"awakeAtEnd", last.awake},
+                           {"contactsAtEnd", last.contacts}};
+    if (last.awake >= 0) line["nsPerAwakeBody"] = 1e6 * total / steps / std::max(awake, 1.0);
+    if (last.contacts >= 0) line["nsPerContact"] = 1e6 * total / steps / std::max(contacts, 1.0);
+    if (last.hash != 0) line["hash"] = fmt::format("{:016x}", last.hash);
+    return line;
+}
+
+}  // namespace
+}  // namespace tamias2d::bench
+
+int main(int argc, char** argv)
+{
+    using namespace tamias2d::bench;
+    CLI::App app{"One scene in one engine: " + engineTitle()};
+    std::string name;
+    int steps = 0;
+    Options options;
+    bool list = false;
+    app.add_option("scene", name, "its name");
+    app.add_option("--steps", steps, "instead of the scene's own number")->check(CLI::PositiveNumber);
+    app.add_option("--threads", options.threads, "for engines that have any")->check(CLI::Range(1, 64));
+    app.add_flag("--list", list, "names and groups of the scenes, as JSON");
+    CLI11_PARSE(app, argc, argv);
+
+    if (list) {
+        nlohmann::json all = nlohmann::json::array();
+        for (const SceneEntry& entry : scenes())
+            all.push_back({{"name", entry.name}, {"group", entry.group}});
+        fmt::print("{}\n", all.dump());
+        return 0;
+    }
+    for (const SceneEntry& entry : scenes()) {
+        if (entry.name != name) continue;
+        const Scene scene = entry.make();
+        fmt::print("{}\n", run(scene, steps > 0 ? steps : scene.steps, options).dump());
+        return 0;
+    }
+    fmt::print(stderr, "no scene named \"{}\"; --list names them\n", name);
+    return 2;
+}

@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: MIT
+#include "engine.hpp"
+
+#include <tamias2d/tamias2d.hpp>
+
+// Tamias2D with its defaults: 60 steps a second of 4 sub-steps. Compiled once a precision.
+namespace tamias2d::bench {
+namespace {
+
+Vec2 toReal(Vec v)
+{
+    return {static_cast<real>(v.x), static_cast<real>(v.y)};
+}
+
+ShapeDef shapeOf(const SceneShape& source)
+{
+    ShapeDef def;
+    const real radius = static_cast<real>(source.radius);
+    const std::vector<Vec>& c = source.corners;
+    if (c.size() == 1) {
+        def.geometry = Circle{toReal(c[0]), radius};
+    } else if (c.size() == 2 && radius > 0) {
+        def.geometry = Capsule{toReal(c[0]), toReal(c[1]), radius};
+    } else if (c.size() == 2) {
+        def.geometry = Segment{toReal(c[0]), toReal(c[1]), 0};
+    } else {
+        std::vector<Vec2> corners;
+        for (Vec p : c) corners.push_back(toReal(p));
+        def.geometry = makePolygon(corners, radius);
+    }
+    def.density = static_cast<real>(source.density);
+    def.material.friction = static_cast<real>(source.friction);
+    def.material.restitution = static_cast<real>(source.restitution);
+    return def;
+}
+
+class TamiasEngine final : public Engine {
+public:
+    explicit TamiasEngine(const Scene& scene) : world_(WorldDef{.gravity = toReal(scene.gravity)})
+    {
+        for (const SceneBody& source : scene.bodies) add(source);
+    }
+
+    void step() override { report_ = world_.step(kTimeStep); }
+
+    State state(std::size_t i) const override
+    {
+        const Body& body = bodies_[i];
+        const Position p = body.position();
+        const Vec2 v = body.linearVelocity();
+        return {{p.x, p.y}, body.angle(), {v.x, v.y}, body.angularVelocity()};
+    }
+
+    void setVelocity(std::size_t i, Vec velocity, double spin) override
+    {
+        bodies_[i].setLinearVelocity(toReal(velocity));
+        bodies_[i].setAngularVelocity(static_cast<real>(spin));
+    }
+
+    Counts counts() const override
+    {
+        return {static_cast<long>(report_.dynamicBodies), static_cast<long>(report_.touching),
+                world_.stateHash()};
+    }
+
+    std::map<std::string, double> phases() const override
+    {
+        const StageTimes& t = report_.times;
+        return {{"pairs", t.pairs},     {"manifolds", t.manifolds}, {"graph", t.graph},
+                {"impacts", t.impacts}, {"solve", t.solve},         {"finalize", t.finalize}};
+    }
+
+private:
+    void add(const SceneBody& source)
+    {
+        BodyDef def;
+        def.type = source.mobility == Mobility::Free     ? BodyType::Dynamic
+                   : source.mobility == Mobility::Driven ? BodyType::Kinematic
+                                                         : BodyType::Static;
+        def.position = {source.start.position.x, source.start.position.y};
+        def.angle = source.start.angle;
+        def.linearVelocity = toReal(source.start.velocity);
+        def.angularVelocity = static_cast<real>(source.start.spin);
+        Body body = world_.createBody(def);
+        for (const SceneShape& shape : source.shapes) body.createShape(shapeOf(shape));
+        bodies_.push_back(body);
+    }
+
+    World world_;
+    std::vector<Body> bodies_;
+    StepReport report_;
+};
+
+}  // namespace
+
+std::string engineTitle()
+{
+    return sizeof(real) == 4 ? "Tamias2D, float" : "Tamias2D, double";
+}
+
+std::unique_ptr<Engine> makeEngine(const Scene& scene, const Options&)
+{
+    return std::make_unique<TamiasEngine>(scene);
+}
+
+}  // namespace tamias2d::bench
