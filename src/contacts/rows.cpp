@@ -58,6 +58,11 @@ void prepareContact(Contact& contact, const Motion& a, const Motion& b)
     }
 }
 
+real allowedApproach(const ContactPointRow& point, const StepContext& context)
+{
+    return point.gap > 0 ? point.gap * context.invH : real(0);
+}
+
 real impactThreshold(const Contact& contact, const Motion& a, const Motion& b, const StepContext& context)
 {
     const Vec2 n = contact.normal;
@@ -66,36 +71,7 @@ real impactThreshold(const Contact& contact, const Motion& a, const Motion& b, c
     return context.tuning.impactThreshold * (forces + contacts);
 }
 
-void applyImpulse(Motion& a, Motion& b, Vec2 armA, Vec2 armB, Vec2 impulse)
-{
-    a.velocity -= {a.invMass.x * impulse.x, a.invMass.y * impulse.y};
-    a.spin -= a.invInertia * cross(armA, impulse);
-    b.velocity += {b.invMass.x * impulse.x, b.invMass.y * impulse.y};
-    b.spin += b.invInertia * cross(armB, impulse);
-}
-
-bool solveBlock(real k1, real k2, real k12, real r1, real r2, real& x1, real& x2)
-{
-    const real determinant = k1 * k2 - k12 * k12;
-    if (!(determinant > real(1e-4) * k1 * k2)) return false;
-    x1 = (k12 * r2 - k2 * r1) / determinant;
-    x2 = (k12 * r1 - k1 * r2) / determinant;
-    if (x1 >= 0 && x2 >= 0) return true;
-
-    x1 = -r1 / k1, x2 = 0;
-    if (x1 >= 0 && r2 + k12 * x1 >= 0) return true;
-    x1 = 0, x2 = -r2 / k2;
-    if (x2 >= 0 && r1 + k12 * x2 >= 0) return true;
-    x1 = x2 = 0;
-    return r1 >= 0 && r2 >= 0;  // at the border of two cases rounding may find none to hold
-}
-
 namespace {
-
-Vec2 relativeVelocity(const ContactPointRow& point, const Motion& a, const Motion& b)
-{
-    return velocityAt(b, point.armB) - velocityAt(a, point.armA);
-}
 
 // An approach that only the next impact pass may stop: it is elastic, unloaded and fast. Not so once
 // the point is squeezed: left to impacts for ever it would sink.
@@ -105,12 +81,6 @@ bool isLeftToImpacts(const Contact& contact, const ContactPointRow& point, real 
     return contact.restitution > 0 && !point.wasLoaded &&
            contact.impacts < context.tuning.impactsPerContact && point.gap > -contact.restGap / 2 &&
            normalSpeed < -threshold;
-}
-
-// Normal speed the point may not fall below: it may close its gap within the tick and no more.
-real allowedApproach(const ContactPointRow& point, const StepContext& context)
-{
-    return point.gap > 0 ? point.gap * context.invH : real(0);
 }
 
 // Has an impact in this tick settled the contact? At its time it has; seen from the start of the tick
@@ -130,60 +100,25 @@ bool isSettledByImpact(const Contact& contact, const Motion& a, const Motion& b,
     return true;
 }
 
-real solveNormalsAsBlock(Contact& contact, Motion& a, Motion& b, const StepContext& context, bool& solved)
-{
-    ContactPointRow &p = contact.points[0], &q = contact.points[1];
-    const Vec2 n = contact.normal;
-    const real k12 = contact.crossMass;
-    const real r1 = dot(n, relativeVelocity(p, a, b)) + allowedApproach(p, context) -
-                    p.normalMass * p.normalImpulse - k12 * q.normalImpulse;
-    const real r2 = dot(n, relativeVelocity(q, a, b)) + allowedApproach(q, context) - k12 * p.normalImpulse -
-                    q.normalMass * q.normalImpulse;
-    real x1, x2;
-    solved = solveBlock(p.normalMass, q.normalMass, k12, r1, r2, x1, x2);
-    if (!solved) return 0;
-
-    const real d1 = x1 - p.normalImpulse, d2 = x2 - q.normalImpulse;
-    applyImpulse(a, b, p.armA, p.armB, d1 * n);
-    applyImpulse(a, b, q.armA, q.armB, d2 * n);
-    p.normalImpulse = x1;
-    q.normalImpulse = x2;
-    return maximum(absolute(p.normalMass * d1 + k12 * d2), absolute(k12 * d1 + q.normalMass * d2));
-}
-
-real solveNormal(Contact& contact, ContactPointRow& point, Motion& a, Motion& b, real threshold,
+// A point alone, unless its approach is left to impacts.
+real visitNormal(Contact& contact, ContactPointRow& point, Motion& a, Motion& b, real threshold,
                  const StepContext& context)
 {
     if (!(point.normalMass > 0)) {  // both bodies locked against it: no load shows
         point.normalImpulse = 0;
         return 0;
     }
-    const Vec2 n = contact.normal;
-    const real normalSpeed = dot(n, relativeVelocity(point, a, b));
+    const real normalSpeed = dot(contact.normal, relativeVelocity(point, a, b));
     if (isLeftToImpacts(contact, point, normalSpeed, threshold, context)) return 0;
-
-    // Contacts push and never pull: it is the running total that stays non-negative.
-    const real wanted =
-        point.normalImpulse - (normalSpeed + allowedApproach(point, context)) / point.normalMass;
-    const real total = maximum(wanted, real(0));
-    const real change = total - point.normalImpulse;
-    applyImpulse(a, b, point.armA, point.armB, change * n);
-    point.normalImpulse = total;
-    return absolute(change * point.normalMass);
+    return solveNormal(contact, point, a, b, allowedApproach(point, context));
 }
 
-void solveFriction(Contact& contact, ContactPointRow& point, Motion& a, Motion& b)
+void visitFriction(const Contact& contact, ContactPointRow& point, Motion& a, Motion& b)
 {
-    if (!(point.tangentMass > 0)) {
+    if (point.tangentMass > 0)
+        solveFriction(contact, point, a, b);
+    else
         point.tangentImpulse = 0;
-        return;
-    }
-    const Vec2 t = perpendicular(contact.normal);
-    const real slip = dot(t, relativeVelocity(point, a, b)) + contact.surfaceSpeed;
-    const real limit = contact.friction * point.normalImpulse;
-    const real total = clamp(point.tangentImpulse - slip / point.tangentMass, -limit, limit);
-    applyImpulse(a, b, point.armA, point.armB, (total - point.tangentImpulse) * t);
-    point.tangentImpulse = total;
 }
 
 void solveRolling(Contact& contact, Motion& a, Motion& b)
@@ -215,13 +150,17 @@ real solveContact(Contact& contact, Motion& a, Motion& b, const StepContext& con
 
     real change = 0;
     bool solved = false;
-    if (contact.count == 2 && resting) change = solveNormalsAsBlock(contact, a, b, context, solved);
+    if (contact.count == 2 && resting) {
+        const real allowed[2] = {allowedApproach(contact.points[0], context),
+                                 allowedApproach(contact.points[1], context)};
+        change = solveNormalsAsBlock(contact, a, b, allowed[0], allowed[1], solved);
+    }
     if (!solved) {
         const real threshold = impactThreshold(contact, a, b, context);
         for (int i = 0; i < contact.count; ++i)
-            change = maximum(change, solveNormal(contact, contact.points[i], a, b, threshold, context));
+            change = maximum(change, visitNormal(contact, contact.points[i], a, b, threshold, context));
     }
-    for (int i = 0; i < contact.count; ++i) solveFriction(contact, contact.points[i], a, b);
+    for (int i = 0; i < contact.count; ++i) visitFriction(contact, contact.points[i], a, b);
     solveRolling(contact, a, b);
     return change;
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "contacts/row_kernel.hpp"
 #include "model/contacts.hpp"
 #include "model/motion.hpp"
 #include "model/step_context.hpp"
@@ -31,6 +32,9 @@ PlacedPoint placePoint(const Contact& contact, Vec2 normal, const ManifoldPoint&
 /// Arms, gaps and effective masses at the present poses.
 void prepareContact(Contact& contact, const Motion& a, const Motion& b);
 
+/// Speed at which the point may still close: as far as its gap within the tick, and no further.   [m/s]
+real allowedApproach(const ContactPointRow& point, const StepContext& context);
+
 /// Slowest approach that is an impact: more than what steady forces do within a tick, so that what
 /// rests never bounces, and zero without such forces.   [m/s]
 real impactThreshold(const Contact& contact, const Motion& a, const Motion& b, const StepContext& context);
@@ -60,14 +64,5 @@ void addSteady(const Contact& contact, Motion& a, Motion& b);
 /// Holds the sum of them to what forces may do in a tick. Loads of a heavy body would throw it out of the
 /// world, and infinities into its neighbors, when its mass has just been set to a tiny one.
 void limitSteady(Motion& m, const StepContext& context);
-
-/// Applies an impulse to B at its arm, and its opposite to A [T2].
-void applyImpulse(Motion& a, Motion& b, Vec2 armA, Vec2 armB, Vec2 impulse);
-
-/// Two impulses that are each >= 0 and bring both residuals to >= 0 (with = 0 where the impulse is
-/// > 0): the linear complementarity problem of a two-point contact, solved exactly by its four cases.
-/// `r` are the residuals at zero impulse. False if the block is too near to singular, or
-/// if by rounding no case holds: then the points are visited singly.
-bool solveBlock(real k1, real k2, real k12, real r1, real r2, real& x1, real& x2);
 
 }  // namespace tamias2d::inline TAMIAS_PRECISION

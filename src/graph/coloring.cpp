@@ -6,7 +6,7 @@
 namespace tamias2d::inline TAMIAS_PRECISION {
 
 void colorConstraints(const std::vector<RowPair>& constraints, const std::vector<bool>& movable,
-                      std::vector<std::uint32_t>& order)
+                      std::vector<std::uint32_t>& order, std::vector<std::uint32_t>& ends)
 {
     constexpr std::uint32_t kColors = 64;
     std::vector<std::uint64_t> used(movable.size(), 0);
@@ -26,6 +26,7 @@ void colorConstraints(const std::vector<RowPair>& constraints, const std::vector
     }
 
     for (std::uint32_t c = 0; c < kColors; ++c) sizes[c + 1] += sizes[c];
+    ends.assign(sizes + 1, sizes + kColors + 1);
     order.resize(constraints.size());
     for (std::uint32_t i = 0; i < constraints.size(); ++i) order[sizes[colors[i]]++] = i;
 }

@@ -15,8 +15,8 @@ struct RowPair {
 
 /// Gives every constraint the lowest color that no other constraint of either of its movable rows
 /// has, and returns the constraints sorted by color, then by index. A color may be solved side by
-/// side; beyond 63 colors the last one is solved in order.
+/// side; beyond 63 colors the last one is solved in order. `ends` are where each of the 64 colors ends.
 void colorConstraints(const std::vector<RowPair>& constraints, const std::vector<bool>& movable,
-                      std::vector<std::uint32_t>& order);
+                      std::vector<std::uint32_t>& order, std::vector<std::uint32_t>& ends);
 
 }  // namespace tamias2d::inline TAMIAS_PRECISION

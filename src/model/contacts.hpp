@@ -57,6 +57,7 @@ struct Contact {
 struct ContactTable {
     std::vector<Contact> rows;
     std::vector<std::uint32_t> order;   // in which they are solved: by color, then by row
+    std::vector<std::uint32_t> colorEnds;   // where each color ends in it; the last one is solved in order
 };
 
 }  // namespace tamias2d::inline TAMIAS_PRECISION

@@ -30,11 +30,24 @@ struct Pose {
     Rot q;
 };
 
+/// Room for as many vectors as a polygon may have, of which only those in use are ever written.
+class VertexRoom {
+public:
+    VertexRoom() noexcept {}  // leaves the room as it is: zeros would cost more than the placing
+    Vec2& operator[](int i) { return vectors_[i]; }
+    const Vec2& operator[](int i) const { return vectors_[i]; }
+
+private:
+    union {
+        Vec2 vectors_[kMaxPolygonVertices];
+    };
+};
+
 /// A core in the coordinates of that origin.
 struct PlacedCore {
     int count;
-    std::array<Vec2, kMaxPolygonVertices> vertices;
-    std::array<Vec2, kMaxPolygonVertices> normals;
+    VertexRoom vertices;
+    VertexRoom normals;
 
     PlacedCore(const Convex& shape, const Pose& pose);
     int faces() const { return count > 1 ? count : 0; }

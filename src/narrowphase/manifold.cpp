@@ -93,9 +93,17 @@ bool faceManifold(const Convex& a, const Pose& poseA, const Convex& b, const Pos
 Separation coreSeparation(const Convex& a, const Pose& poseA, const Convex& b, const Pose& poseB,
                           real preference)
 {
-    const PlacedCore coreA(a, poseA), coreB(b, poseB);
-    const bool sharp = a.faces() > 0 && b.faces() > 0 && a.radius + b.radius <= 0 && a.count + b.count > 4;
-    return sharp ? separationByFaces(coreA, coreB, preference) : exactSeparation(coreA, coreB, preference);
+    return coreSeparation(PlacedCore(a, poseA), PlacedCore(b, poseB), isSharpPair(a, b), preference);
+}
+
+Separation coreSeparation(const PlacedCore& a, const PlacedCore& b, bool sharp, real preference)
+{
+    return sharp ? separationByFaces(a, b, preference) : exactSeparation(a, b, preference);
+}
+
+bool isSharpPair(const Convex& a, const Convex& b)
+{
+    return a.faces() > 0 && b.faces() > 0 && a.radius + b.radius <= 0 && a.count + b.count > 4;
 }
 
 void closestManifold(const Convex& a, const Pose& poseA, const Convex& b, const Pose& poseB, real preference,

@@ -37,5 +37,9 @@ void closestManifold(const Convex& a, const Pose& poseA, const Convex& b, const 
 /// Radii are not subtracted.
 Separation coreSeparation(const Convex& a, const Pose& poseA, const Convex& b, const Pose& poseB,
                           real preference);
+Separation coreSeparation(const PlacedCore& a, const PlacedCore& b, bool sharp, real preference);
+
+/// Are both sharp, and not both lines? Then faces alone tell how far apart they are.
+bool isSharpPair(const Convex& a, const Convex& b);
 
 }  // namespace tamias2d::inline TAMIAS_PRECISION

@@ -23,6 +23,7 @@ struct Sweep {
     const SweptPair& pair;
     real from, to;
     Pose a0, b0, a1, b1;       // poses at the start and at the end
+    PlacedCore coreA0, coreB0, coreA1, coreB1;
     real radii;                // of rounding, both
     real admit;                // gaps up to here get a manifold
     real deep;                 // overlap from here on counts as one
@@ -36,9 +37,10 @@ struct Sweep {
 
     Sweep(const SweptPair& p, real t0, real t1)
         : pair(p), from(t0), to(t1), a0(p.pathA.at(t0)), b0(p.pathB.at(t0)), a1(p.pathA.at(t1)),
-          b1(p.pathB.at(t1)), radii(p.a.radius + p.b.radius), admit(3 * p.restGap), deep(-p.restGap / 2),
-          start(separation(a0, b0)), end(separation(a1, b1)), slide((b1.p - a1.p) - (b0.p - a0.p)),
-          turnA(absolute(p.pathA.turnBy(t1) - p.pathA.turnBy(t0))),
+          b1(p.pathB.at(t1)), coreA0(p.a, a0), coreB0(p.b, b0), coreA1(p.a, a1), coreB1(p.b, b1),
+          radii(p.a.radius + p.b.radius), admit(3 * p.restGap), deep(-p.restGap / 2),
+          start(separation(coreA0, coreB0)), end(separation(coreA1, coreB1)),
+          slide((b1.p - a1.p) - (b0.p - a0.p)), turnA(absolute(p.pathA.turnBy(t1) - p.pathA.turnBy(t0))),
           turnB(absolute(p.pathB.turnBy(t1) - p.pathB.turnBy(t0))),
           travel(length(slide) + turnA * p.a.extent + turnB * p.b.extent),
           sagitta((p.a.faces() > 0 ? turnA * turnA / 8 * p.a.extent : 0) +
@@ -49,13 +51,16 @@ struct Sweep {
 
     real preference() const { return real(0.1) * pair.restGap; }
 
-    Separation separation(const Pose& poseA, const Pose& poseB) const
+    Separation separation(const PlacedCore& a, const PlacedCore& b) const
     {
-        Separation s = coreSeparation(pair.a, poseA, pair.b, poseB, 0);
+        Separation s = coreSeparation(a, b, isSharpPair(pair.a, pair.b), 0);
         s.distance -= radii;
         return s;
     }
-    Separation separationAt(real t) const { return separation(pair.pathA.at(t), pair.pathB.at(t)); }
+    Separation separationAt(real t) const
+    {
+        return separation(PlacedCore(pair.a, pair.pathA.at(t)), PlacedCore(pair.b, pair.pathB.at(t)));
+    }
     real timeAt(real part) const { return from + part * (to - from); }
 
     SweptResult closest(const Pose& poseA, const Pose& poseB) const
@@ -97,7 +102,7 @@ struct SweptFace {
 
 SweptFace bestFaceOverSweep(const Sweep& s)
 {
-    const PlacedCore a0(s.pair.a, s.a0), a1(s.pair.a, s.a1), b0(s.pair.b, s.b0), b1(s.pair.b, s.b1);
+    const PlacedCore &a0 = s.coreA0, &a1 = s.coreA1, &b0 = s.coreB0, &b1 = s.coreB1;
     SweptFace best{{-std::numeric_limits<real>::max(), true, 0}, -std::numeric_limits<real>::max(), false};
     const auto consider = [&](bool onA, int face, Vec2 normal, real first, real last) {
         const real least = minimum(first, last) - s.radii;

@@ -116,19 +116,29 @@ real refined(const Contact& c, const ManifoldPoint& anchor, const FlyingPair& pa
 
 }  // namespace
 
+real fastestPoint(const Flight& flight, const Motion& m, real h)
+{
+    const real extent = real(1.5) * m.extent;  // points lie a little beyond it, on the other surface
+    return length(flight.velocity) + h * length(flight.acceleration) +
+           extent * (absolute(flight.spin) + h * absolute(flight.spinRate));
+}
+
+real slowestInCrowd(const Contact& c, const StepContext& context)
+{
+    constexpr real kSlow = 10;  // rest gaps a tick: a hundredth of the smaller width
+    return c.crowded && !(c.restitution > 0) ? kSlow * c.restGap * context.invH : real(0);
+}
+
 Impact nextImpact(const Contact& c, const ImpactPoint points[2], const FlyingPair& pair,
                   const StepContext& context)
 {
-    constexpr real kSlow = 10;  // rest gaps a tick: a hundredth of the smaller width
     Impact next;
     if (c.impacts >= context.tuning.impactsPerContact) return next;
     // What impacts of this tick have left of an approach is not the work of steady forces; but there is an
     // end to it, as friction at an impact may turn the bodies on towards each other by ever less.
     real threshold = impactThreshold(c, pair.a, pair.b, context);
     if (c.impacts > 0) threshold = maximum(threshold / 3, real(1e-4) * c.fastestImpact);
-    // In a crowd whatever stops slowly stops many others with it, at no one time: the passes find that at
-    // once.
-    if (c.crowded && !(c.restitution > 0)) threshold = maximum(threshold, kSlow * c.restGap * context.invH);
+    threshold = maximum(threshold, slowestInCrowd(c, context));
     for (int k = 0; k < c.count; ++k) {
         if (!(c.points[k].normalMass > 0)) continue;
         real t = parabolaTime(c, k, points[k], pair, threshold, context);

@@ -68,6 +68,13 @@ struct Impact {
     int point = 0;
 };
 
+/// A bound on the speed of any point of a body within a tick of length `h`.   [m/s]
+real fastestPoint(const Flight& flight, const Motion& m, real h);
+
+/// In a crowd whatever stops slowly and for good stops many others with it, at no one time: below this speed
+/// the passes do it, all at once [ADR21].   [m/s]
+real slowestInCrowd(const Contact& contact, const StepContext& context);
+
 /// The first impact of a contact in the rest of the tick: when a gap first closes faster than steady
 /// forces could make it. Time kNever if there is none.
 Impact nextImpact(const Contact& contact, const ImpactPoint points[2], const FlyingPair& pair,

@@ -57,7 +57,9 @@ private:
 /// What the impact stage works with; it keeps its memory from step to step.
 struct ImpactScratch {
     std::vector<Flight> flights;             // by row
+    std::vector<real> reach;                 // by row: no point of it is faster in the tick   [m/s]
     std::vector<ImpactPoint> points;         // two for each contact
+    std::vector<bool> placed;                // by contact: have its points been placed?
     std::vector<std::uint32_t> versions;     // by contact
     std::vector<std::uint32_t> places;       // by contact, in the order of solving
     ContactChains chains;                    // of bodies that move; made at the first impact of a tick

@@ -50,18 +50,21 @@ ImpactSolver::ImpactSolver(ImpactStage& stage, const StepContext& context, int t
 {
     const std::size_t rows = stage.motions.rows.size(), contacts = stage.contacts.rows.size();
     scratch_.flights.resize(rows);
+    scratch_.reach.resize(rows);
     scratch_.points.resize(2 * contacts);
     scratch_.versions.assign(contacts, 0);
+    scratch_.placed.assign(contacts, false);
     scratch_.places.resize(contacts);
     scratch_.queue.clear();
     for (std::size_t row = 0; row < rows; ++row)
         scratch_.flights[row] = flightOf(stage.motions.rows[row], context.invH);
+    for (std::size_t row = 0; row < rows; ++row)
+        scratch_.reach[row] = fastestPoint(scratch_.flights[row], stage.motions.rows[row], context.h);
     for (std::uint32_t k = 0; k < contacts; ++k) {
         const std::uint32_t i = stage.contacts.order[k];
         contact(i).impacts = 0;
         contact(i).fastestImpact = 0;
         scratch_.places[i] = k;
-        placePoints(i);
     }
 }
 
@@ -83,6 +86,7 @@ void ImpactSolver::chain(std::uint32_t i)
 void ImpactSolver::placePoints(std::uint32_t i)
 {
     const Contact& c = contact(i);
+    scratch_.placed[i] = true;
     for (int k = 0; k < c.count; ++k)
         scratch_.points[2 * std::size_t{i} + static_cast<std::size_t>(k)] = impactPoint(c, k, pairOf(c));
 }
@@ -91,6 +95,7 @@ void ImpactSolver::schedule(std::uint32_t i)
 {
     const Contact& c = contact(i);
     ++scratch_.versions[i];
+    if (!scratch_.placed[i]) placePoints(i);
     const Impact impact = nextImpact(c, &scratch_.points[2 * std::size_t{i}], pairOf(c), context_);
     if (impact.time == kNever) return;
     scratch_.queue.push_back({impact, c.impacts, scratch_.places[i], scratch_.versions[i]});
@@ -148,6 +153,7 @@ void ImpactSolver::add(const ShapePair& pair)
     added.swept = true;
     scratch_.places.push_back(static_cast<std::uint32_t>(stage_.contacts.order.size()));
     scratch_.versions.push_back(0);
+    scratch_.placed.push_back(false);
     scratch_.points.resize(scratch_.points.size() + 2);
     stage_.contacts.order.push_back(i);
     stage_.contacts.rows.push_back(added);
@@ -208,7 +214,11 @@ void ImpactSolver::follow(std::uint32_t row, std::uint32_t hit)
 
 void ImpactSolver::run()
 {
-    for (const std::uint32_t i : stage_.contacts.order) schedule(i);
+    for (const std::uint32_t i : stage_.contacts.order) {
+        const Contact& c = contact(i);
+        const real most = scratch_.reach[c.rowA] + scratch_.reach[c.rowB];
+        if (c.count > 0 && most >= slowestInCrowd(c, context_)) schedule(i);
+    }
     while (!scratch_.queue.empty()) {
         std::pop_heap(scratch_.queue.begin(), scratch_.queue.end());
         const DueImpact due = scratch_.queue.back();

@@ -9,6 +9,8 @@
 #include "solver/calm.hpp"
 #include "solver/integrate.hpp"
 
+#include <algorithm>
+
 namespace tamias2d::inline TAMIAS_PRECISION {
 namespace {
 
@@ -50,34 +52,22 @@ void markLoaded(SolverStage& stage)
     }
 }
 
-std::uint32_t islandOf(const SolverStage& stage, const Contact& c)
-{
-    const std::uint32_t island = stage.islands.islandOf[c.rowA];
-    return island != Islands::kNone ? island : stage.islands.islandOf[c.rowB];
-}
-
 // One pass settles what rests. An island whose speeds it still changed gets further passes, up to a
 // limit, on its own: its neighbors never notice.
 void solvePasses(SolverStage& stage, const StepContext& context, SolverScratch& scratch)
 {
     const real restless = context.tuning.restless * context.lengthUnit;
+    gatherBlocks(stage.contacts, stage.motions, stage.islands, context, scratch.blocks);
+    scratch.unrest.clear();
     for (int pass = 0; pass <= context.tuning.extraPasses; ++pass) {
-        const std::vector<real>& before = scratch.unrestBefore;
         scratch.unrest.swap(scratch.unrestBefore);
         scratch.unrest.assign(stage.islands.count(), 0);
-        bool again = false;
-        for (const std::uint32_t i : stage.contacts.order) {
-            Contact& c = stage.contacts.rows[i];
-            if (c.count == 0) continue;
-            const std::uint32_t island = islandOf(stage, c);
-            if (pass > 0 && !(before[island] > restless)) continue;
-            const real change =
-                solveContact(c, stage.motions.rows[c.rowA], stage.motions.rows[c.rowB], context);
-            scratch.unrest[island] = maximum(scratch.unrest[island], change);
-            again = again || change > restless;
-        }
-        if (!again) return;
+        passOver(scratch.blocks, stage.contacts, stage.motions, stage.islands, context, restless,
+                 scratch.unrestBefore, scratch.unrest);
+        const auto isRestless = [restless](real change) { return change > restless; };
+        if (std::none_of(scratch.unrest.begin(), scratch.unrest.end(), isRestless)) break;
     }
+    scatterBlocks(scratch.blocks, stage.contacts, stage.motions);
 }
 
 // Once in a step, overlaps are undone by displacements that leave velocities alone.

@@ -5,6 +5,7 @@
 #include "forces/accelerations.hpp"
 #include "islands/links.hpp"
 #include "solver/calm.hpp"
+#include "solver/contact_blocks.hpp"
 #include "solver/impacts.hpp"
 
 namespace tamias2d::inline TAMIAS_PRECISION {
@@ -16,6 +17,7 @@ struct SolverScratch {
     std::vector<Push> pushes;           // by row
     std::vector<std::pair<Vec2, real>> held;   // by row: velocity and spin
     std::vector<real> unrest, unrestBefore;    // by island: greatest change of speed in a pass   [m/s]
+    ContactBlocks blocks;
     ImpactScratch impacts;
 };
 

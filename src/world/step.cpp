@@ -82,7 +82,7 @@ void colorContacts(ContactTable& contacts, const MotionTable& motions)
     for (const Motion& m : motions.rows) movable.push_back(m.moves());
     std::vector<RowPair> pairs;
     for (const Contact& c : contacts.rows) pairs.push_back({c.rowA, c.rowB});
-    colorConstraints(pairs, movable, contacts.order);
+    colorConstraints(pairs, movable, contacts.order, contacts.colorEnds);
 }
 
 Islands linkTouching(const ContactTable& contacts, MotionTable& motions, const StepContext& context)

@@ -37,7 +37,7 @@ TEST(ContactBlock, RefusesTwoPointsThatAreOne)
 {
     TRACES("IM3");
     real x1, x2;
-    EXPECT_FALSE(solveBlock(1, 1, 1, -1, -1, x1, x2));
+    EXPECT_FALSE(solveBlock(real(1), real(1), real(1), real(-1), real(-1), x1, x2));
     // Within rounding of the border of two cases; in float none of the four holds.
     const real r1 = real(-0.29342593), r2 = real(-0.19688597);
     const bool solved = solveBlock(real(1.15146565), real(1.34133530), real(0.77262241), r1, r2, x1, x2);

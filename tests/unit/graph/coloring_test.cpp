@@ -46,12 +46,22 @@ TEST(Coloring, NoColorHoldsABodyTwice)
         ++degree[a];
         ++degree[b];
     }
-    std::vector<std::uint32_t> order;
-    colorConstraints(pairs, movable, order);
+    std::vector<std::uint32_t> order, ends;
+    colorConstraints(pairs, movable, order, ends);
     ASSERT_EQ(order.size(), pairs.size());
     EXPECT_EQ(std::set<std::uint32_t>(order.begin(), order.end()).size(), pairs.size());
     const int most = *std::max_element(degree.begin() + 1, degree.end());
     EXPECT_LE(runsWithoutRepeats(pairs, movable, order), 2 * most - 1);  // the bound of greedy coloring
+    EXPECT_EQ(ends.back(), order.size());
+    EXPECT_TRUE(std::is_sorted(ends.begin(), ends.end()));
+    std::uint32_t from = 0;
+    for (std::size_t color = 0; color + 1 < ends.size(); from = ends[color++]) {
+        std::set<std::uint32_t> rows;
+        for (std::uint32_t k = from; k < ends[color]; ++k)
+            for (const std::uint32_t row : {pairs[order[k]].a, pairs[order[k]].b})
+                if (movable[row])
+                    EXPECT_TRUE(rows.insert(row).second) << "row " << row << " twice in a color";
+    }
 }
 
 TEST(Coloring, ABodyWithMoreContactsThanColorsIsStillSolved)
@@ -59,8 +69,8 @@ TEST(Coloring, ABodyWithMoreContactsThanColorsIsStillSolved)
     TRACES("ADR11");
     std::vector<RowPair> pairs;
     for (std::uint32_t i = 1; i <= 200; ++i) pairs.push_back({0, i});
-    std::vector<std::uint32_t> order;
-    colorConstraints(pairs, std::vector<bool>(201, true), order);
+    std::vector<std::uint32_t> order, ends;
+    colorConstraints(pairs, std::vector<bool>(201, true), order, ends);
     EXPECT_EQ(std::set<std::uint32_t>(order.begin(), order.end()).size(), 200u);
 }
 

@@ -1,0 +1,168 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <tamias2d/base/config.hpp>
+
+#include <cstdint>
+#include <type_traits>
+
+namespace tamias2d::inline TAMIAS_PRECISION {
+
+// The compiler's vectors, by their bytes: g++ 12 forgets a vector_size that depends on a template's
+// parameter.
+template <class T, int Bytes>
+struct VectorOf;
+template <class T>
+struct VectorOf<T, 16> {
+    typedef T Type __attribute__((vector_size(16)));
+};
+template <class T>
+struct VectorOf<T, 32> {
+    typedef T Type __attribute__((vector_size(32)));
+};
+template <class T>
+struct VectorOf<T, 64> {
+    typedef T Type __attribute__((vector_size(64)));
+};
+
+/// W truths, one a lane.
+template <int W>
+struct LaneMask {
+    using Integer = std::conditional_t<sizeof(real) == 4, std::int32_t, std::int64_t>;
+    using Vector = typename VectorOf<Integer, W* int{sizeof(real)}>::Type;
+    Vector v;  // 0 or -1 each
+
+    friend LaneMask operator&(LaneMask a, LaneMask b) { return {a.v & b.v}; }
+    friend LaneMask operator|(LaneMask a, LaneMask b) { return {a.v | b.v}; }
+    friend LaneMask operator!(LaneMask a) { return {~a.v}; }
+};
+
+/// W reals that are reckoned with at once, on the vector extensions of the compiler. Each lane has the bits
+/// that `real` would have: no operation here rounds in another way [ADR6].
+template <int W>
+struct Lane {
+    using Vector = typename VectorOf<real, W* int{sizeof(real)}>::Type;
+    Vector v;
+
+    Lane() : v{} {}
+    explicit Lane(Vector vector) : v(vector) {}
+    Lane(real all) : v{}
+    {
+        for (int i = 0; i < W; ++i) v[i] = all;
+    }
+
+    friend Lane operator+(Lane a, Lane b) { return Lane(a.v + b.v); }
+    friend Lane operator-(Lane a, Lane b) { return Lane(a.v - b.v); }
+    friend Lane operator*(Lane a, Lane b) { return Lane(a.v * b.v); }
+    friend Lane operator/(Lane a, Lane b) { return Lane(a.v / b.v); }
+    friend Lane operator-(Lane a) { return Lane(-a.v); }
+    Lane& operator+=(Lane b) { return v += b.v, *this; }
+    Lane& operator-=(Lane b) { return v -= b.v, *this; }
+    Lane& operator*=(Lane b) { return v *= b.v, *this; }
+
+    friend LaneMask<W> operator<(Lane a, Lane b) { return {a.v < b.v}; }
+    friend LaneMask<W> operator>(Lane a, Lane b) { return {a.v > b.v}; }
+    friend LaneMask<W> operator>=(Lane a, Lane b) { return {a.v >= b.v}; }
+};
+
+/// `a` where the condition holds, else `b`.
+template <int W>
+Lane<W> select(LaneMask<W> condition, Lane<W> a, Lane<W> b)
+{
+    return Lane<W>(condition.v ? a.v : b.v);
+}
+inline real select(bool condition, real a, real b)
+{
+    return condition ? a : b;
+}
+
+template <int W>
+bool any(LaneMask<W> mask)
+{
+    typename LaneMask<W>::Integer sum = 0;
+    for (int i = 0; i < W; ++i) sum |= mask.v[i];
+    return sum != 0;
+}
+inline bool any(bool mask)
+{
+    return mask;
+}
+
+// As those of scalar.hpp, lane by lane.
+template <int W>
+Lane<W> maximum(Lane<W> a, Lane<W> b)
+{
+    return select(a > b, a, b);
+}
+template <int W>
+Lane<W> absolute(Lane<W> a)
+{
+    return select(a < Lane<W>(real(0)), -a, a);
+}
+template <int W>
+Lane<W> clamp(Lane<W> a, Lane<W> low, Lane<W> high)
+{
+    return select(a < low, low, select(a > high, high, a));
+}
+
+/// Lanes that SSE2, NEON and the SIMD of wasm have: 16 bytes.
+inline constexpr int kLanes = 16 / sizeof(real);
+
+/// Four reals that are read and written together: three of a body and one that means nothing.
+struct alignas(16) LaneRow {
+    real x, y, z, unused;
+};
+
+// The first or the second 16 bytes of a row.
+inline Lane<kLanes>::Vector loadPart(const LaneRow& row, int part)
+{
+    Lane<kLanes>::Vector vector;
+    __builtin_memcpy(&vector, &row.x + part * kLanes, sizeof vector);
+    return vector;
+}
+
+/// The rows as lanes: their x, their y and their z.
+template <int W>
+void gatherRows(const LaneRow* const (&rows)[W], Lane<W>& x, Lane<W>& y, Lane<W>& z)
+{
+    if constexpr (W == 4) {
+        const auto r0 = loadPart(*rows[0], 0), r1 = loadPart(*rows[1], 0);
+        const auto r2 = loadPart(*rows[2], 0), r3 = loadPart(*rows[3], 0);
+        const auto xy01 = __builtin_shufflevector(r0, r1, 0, 4, 1, 5);
+        const auto zu01 = __builtin_shufflevector(r0, r1, 2, 6, 3, 7);
+        const auto xy23 = __builtin_shufflevector(r2, r3, 0, 4, 1, 5);
+        const auto zu23 = __builtin_shufflevector(r2, r3, 2, 6, 3, 7);
+        x.v = __builtin_shufflevector(xy01, xy23, 0, 1, 4, 5);
+        y.v = __builtin_shufflevector(xy01, xy23, 2, 3, 6, 7);
+        z.v = __builtin_shufflevector(zu01, zu23, 0, 1, 4, 5);
+    } else {
+        const auto xy0 = loadPart(*rows[0], 0), xy1 = loadPart(*rows[1], 0);
+        x.v = __builtin_shufflevector(xy0, xy1, 0, 2);
+        y.v = __builtin_shufflevector(xy0, xy1, 1, 3);
+        z.v = __builtin_shufflevector(loadPart(*rows[0], 1), loadPart(*rows[1], 1), 0, 2);
+    }
+}
+
+/// Writes each lane's x, y and z to its row, if there is one.
+template <int W>
+void scatterRows(Lane<W> x, Lane<W> y, Lane<W> z, LaneRow* const (&rows)[W])
+{
+    const auto store = [&rows](int i, auto first, auto second) {
+        if (rows[i] == nullptr) return;
+        __builtin_memcpy(&rows[i]->x, &first, sizeof first);
+        if constexpr (W == 2) __builtin_memcpy(&rows[i]->z, &second, sizeof second);
+    };
+    if constexpr (W == 4) {
+        const auto xy01 = __builtin_shufflevector(x.v, y.v, 0, 4, 1, 5);
+        const auto xy23 = __builtin_shufflevector(x.v, y.v, 2, 6, 3, 7);
+        store(0, __builtin_shufflevector(xy01, z.v, 0, 1, 4, 4), 0);
+        store(1, __builtin_shufflevector(xy01, z.v, 2, 3, 5, 5), 0);
+        store(2, __builtin_shufflevector(xy23, z.v, 0, 1, 6, 6), 0);
+        store(3, __builtin_shufflevector(xy23, z.v, 2, 3, 7, 7), 0);
+    } else {
+        store(0, __builtin_shufflevector(x.v, y.v, 0, 2), __builtin_shufflevector(z.v, z.v, 0, 0));
+        store(1, __builtin_shufflevector(x.v, y.v, 1, 3), __builtin_shufflevector(z.v, z.v, 1, 1));
+    }
+}
+
+}  // namespace tamias2d::inline TAMIAS_PRECISION
