@@ -1,50 +1,169 @@
 // SPDX-License-Identifier: MIT
 #include "broadphase/sweep.hpp"
 
+#include <tamias2d/math/scalar.hpp>
+
 #include <algorithm>
+#include <cmath>
+#include <limits>
 
 namespace tamias2d::inline TAMIAS_PRECISION {
 namespace {
 
-// Pairs of `box` with the boxes of `others` from `first` on, which start no further left than it.
-void pairWithFollowing(const SweepBox& box, const std::vector<SweepBox>& others, std::size_t first,
-                       std::vector<ShapePair>& pairs)
+using Entry = SweepScratch::Entry;
+
+constexpr double kBoxesPerStrip = 4;   // a strip is as high as this many boxes
+constexpr std::int64_t kMaxStrips = 16;   // a box in that many of them is huge
+constexpr float kFloatMax = std::numeric_limits<float>::max();
+
+// What is no number is bounded by the greatest ones, so that the order of entries stays one.
+float below(double x)
 {
-    for (std::size_t k = first; k < others.size() && others[k].box.lower.x <= box.box.upper.x; ++k) {
-        const SweepBox& other = others[k];
-        if (other.body == box.body || !overlaps(box.box, other.box)) continue;
-        pairs.push_back({minimum(box.shape, other.shape), maximum(box.shape, other.shape)});
+    constexpr double kMost = static_cast<double>(kFloatMax);
+    if (!(x > -kMost)) return -kFloatMax;
+    const float rounded = static_cast<float>(minimum(x, kMost));
+    return static_cast<double>(rounded) <= x ? rounded : std::nextafter(rounded, -kFloatMax);
+}
+float above(double x)
+{
+    return -below(-x);
+}
+
+// From how many there are to where each begins.
+void startsOf(std::vector<std::uint32_t>& counts)
+{
+    std::uint32_t start = 0;
+    for (std::uint32_t& count : counts) count = (start += count) - count;
+}
+
+// Strips along x, all of one height, counted from y = 0. So that a body far away makes no more of them, they
+// are kept in a ring of buckets: boxes of several strips may share one.
+struct Strips {
+    double invHeight = 1;
+    std::uint32_t buckets = 1;   // a power of two
+
+    std::int64_t at(double y) const
+    {
+        constexpr double kMost = 1e15;
+        const double strip = std::floor(y * invHeight);
+        return strip > -kMost ? static_cast<std::int64_t>(minimum(strip, kMost))
+                              : -static_cast<std::int64_t>(kMost);
+    }
+    std::uint32_t bucketOf(std::int64_t strip) const
+    {
+        return static_cast<std::uint32_t>(strip) & (buckets - 1);
+    }
+};
+
+// Some times as high as half of the boxes are, to a power of two.
+Strips layOut(const std::vector<SweepBox>& boxes)
+{
+    constexpr int kLeast = -64, kMost = 64;
+    std::uint32_t counts[kMost - kLeast + 1] = {};
+    for (const SweepBox& b : boxes) {
+        const double height = b.box.upper.y - b.box.lower.y;
+        const int exponent = height > 0 ? std::ilogb(height) : kLeast;
+        ++counts[clamp(exponent, kLeast, kMost) - kLeast];
+    }
+    std::size_t lower = 0;
+    int exponent = kLeast;
+    while ((lower += counts[exponent - kLeast]) < (boxes.size() + 1) / 2) ++exponent;
+
+    Strips strips;
+    strips.invHeight = std::ldexp(1 / kBoxesPerStrip, -exponent);
+    while (strips.buckets < boxes.size() / 4) strips.buckets *= 2;
+    return strips;
+}
+
+// Puts each box into the strips it reaches, sorted by bucket.
+void fillStrips(const std::vector<SweepBox>& boxes, const Strips& strips, SweepScratch& scratch)
+{
+    scratch.unsorted.clear();
+    scratch.huge.clear();
+    scratch.bucketEnds.assign(strips.buckets, 0);
+    for (std::uint32_t i = 0; i < boxes.size(); ++i) {
+        const Aabb& box = boxes[i].box;
+        const std::int64_t first = strips.at(box.lower.y), last = strips.at(box.upper.y);
+        if (last - first >= kMaxStrips) {
+            scratch.huge.push_back(i);
+            continue;
+        }
+        Entry entry{below(box.lower.x), above(box.upper.x), below(box.lower.y), above(box.upper.y), i, first};
+        for (; entry.strip <= last; ++entry.strip) {
+            scratch.unsorted.push_back(entry);
+            ++scratch.bucketEnds[strips.bucketOf(entry.strip)];
+        }
+    }
+    startsOf(scratch.bucketEnds);
+    scratch.entries.resize(scratch.unsorted.size());
+    for (const Entry& entry : scratch.unsorted)
+        scratch.entries[scratch.bucketEnds[strips.bucketOf(entry.strip)]++] = entry;
+}
+
+void addPair(const SweepBox& a, const SweepBox& b, std::vector<ShapePair>& found)
+{
+    if ((a.moves || b.moves) && a.body != b.body && overlaps(a.box, b.box))
+        found.push_back({minimum(a.shape, b.shape), maximum(a.shape, b.shape)});
+}
+
+// Sweeps a bucket. A pair that lies in several strips counts in the lowest that both are in.
+void sweepBucket(const std::vector<SweepBox>& boxes, const Strips& strips, Entry* begin, Entry* end,
+                 std::vector<ShapePair>& found)
+{
+    std::sort(begin, end, [](const Entry& a, const Entry& b) {
+        return a.left != b.left ? a.left < b.left : a.box < b.box;
+    });
+    for (const Entry* one = begin; one != end; ++one) {
+        for (const Entry* other = one + 1; other != end && other->left <= one->right; ++other) {
+            if (other->strip != one->strip || other->bottom > one->top || other->top < one->bottom) continue;
+            const SweepBox &a = boxes[one->box], &b = boxes[other->box];
+            if (strips.at(maximum(a.box.lower.y, b.box.lower.y)) == one->strip) addPair(a, b, found);
+        }
+    }
+}
+
+// Counting by the first shape, then the few of each by the second.
+void sortPairs(const std::vector<ShapePair>& found, std::vector<ShapePair>& pairs,
+               std::vector<std::uint32_t>& ends)
+{
+    std::uint32_t shapes = 0;
+    for (const ShapePair& pair : found) shapes = maximum(shapes, pair.a + 1);
+    ends.assign(shapes, 0);
+    for (const ShapePair& pair : found) ++ends[pair.a];
+    startsOf(ends);
+    pairs.resize(found.size());
+    for (const ShapePair& pair : found) pairs[ends[pair.a]++] = pair;
+    std::uint32_t start = 0;
+    for (const std::uint32_t end : ends) {
+        std::sort(pairs.begin() + start, pairs.begin() + end);
+        start = end;
     }
 }
 
 }  // namespace
 
-void sweepPairs(std::vector<SweepBox>& boxes, std::vector<ShapePair>& pairs)
+void sweepPairs(const std::vector<SweepBox>& boxes, std::vector<ShapePair>& pairs, SweepScratch& scratch)
 {
-    std::sort(boxes.begin(), boxes.end(), [](const SweepBox& a, const SweepBox& b) {
-        return a.box.lower.x != b.box.lower.x ? a.box.lower.x < b.box.lower.x : a.shape < b.shape;
-    });
-
-    // Movers against movers, then movers against the rest from both sides, so that two that do not
-    // move are never compared.
-    std::vector<SweepBox> movers, others;
-    for (const SweepBox& box : boxes) (box.moves ? movers : others).push_back(box);
-
-    pairs.clear();
-    std::size_t firstOther = 0;
-    for (std::size_t i = 0; i < movers.size(); ++i) {
-        pairWithFollowing(movers[i], movers, i + 1, pairs);
-        while (firstOther < others.size() && others[firstOther].box.lower.x < movers[i].box.lower.x)
-            ++firstOther;
-        pairWithFollowing(movers[i], others, firstOther, pairs);
+    scratch.found.clear();
+    if (!boxes.empty()) {
+        const Strips strips = layOut(boxes);
+        fillStrips(boxes, strips, scratch);
+        std::uint32_t start = 0;
+        for (const std::uint32_t end : scratch.bucketEnds) {
+            sweepBucket(boxes, strips, scratch.entries.data() + start, scratch.entries.data() + end,
+                        scratch.found);
+            start = end;
+        }
+        for (std::size_t k = 0; k < scratch.huge.size(); ++k) {
+            const SweepBox& huge = boxes[scratch.huge[k]];
+            for (std::uint32_t i = 0, next = 0; i < boxes.size(); ++i) {
+                const bool isHuge = next < scratch.huge.size() && scratch.huge[next] == i;
+                if (isHuge && next++ <= k) continue;  // two huge ones are a pair once
+                addPair(huge, boxes[i], scratch.found);
+            }
+        }
     }
-    std::size_t firstMover = 0;
-    for (const SweepBox& other : others) {
-        while (firstMover < movers.size() && movers[firstMover].box.lower.x <= other.box.lower.x)
-            ++firstMover;
-        pairWithFollowing(other, movers, firstMover, pairs);
-    }
-    std::sort(pairs.begin(), pairs.end());
+    sortPairs(scratch.found, pairs, scratch.pairEnds);
 }
 
 }  // namespace tamias2d::inline TAMIAS_PRECISION

@@ -22,7 +22,24 @@ struct ShapePair {
     friend constexpr auto operator<=>(const ShapePair&, const ShapePair&) noexcept = default;
 };
 
-/// Sorts the boxes by their left edges and returns all overlapping pairs, sorted by shape.
-void sweepPairs(std::vector<SweepBox>& boxes, std::vector<ShapePair>& pairs);
+/// What the sweep works with; it keeps its memory from step to step.
+struct SweepScratch {
+    /// A box in a strip, its bounds rounded outwards.
+    struct Entry {
+        float left, right, bottom, top;
+        std::uint32_t box;      // index
+        std::int64_t strip;
+    };
+    std::vector<Entry> entries;               // by bucket, then by left edge
+    std::vector<Entry> unsorted;
+    std::vector<std::uint32_t> bucketEnds;
+    std::vector<std::uint32_t> huge;          // boxes that would lie in too many strips
+    std::vector<ShapePair> found;             // pairs before they are sorted
+    std::vector<std::uint32_t> pairEnds;      // by first shape
+};
+
+/// All pairs of overlapping boxes of which one moves, sorted by shape. The boxes are laid out in strips along
+/// x and swept strip by strip from left to right.
+void sweepPairs(const std::vector<SweepBox>& boxes, std::vector<ShapePair>& pairs, SweepScratch& scratch);
 
 }  // namespace tamias2d::inline TAMIAS_PRECISION

@@ -7,8 +7,8 @@
 
 namespace tamias2d::inline TAMIAS_PRECISION {
 
-/// A tree of bounds over boxes sorted along x, for questions in mid-step: eight boxes a leaf, eight nodes a
-/// node, no pointers. Boxes may grow; they keep their places.
+/// A tree of bounds over boxes, neighbors in the list being taken for neighbors in space, for questions in
+/// mid-step: eight boxes a leaf, eight nodes a node, no pointers. Boxes may grow; they keep their places.
 class BoxTree {
 public:
     /// Takes in the boxes as they stand; `boxes` must live and keep its order as long as questions are asked.

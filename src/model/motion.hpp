@@ -18,14 +18,24 @@ struct Damping {
 };
 
 /// One body while it is being solved. Bodies that cannot move have no inverse mass.
-struct Motion {
+struct alignas(64) Motion {
+    // What preparing a contact touches, in one line of the cache (in float).
     Position center;           // [m]
-    double angle = 0;          // in [0, 2 pi)   [rad]
-    Rot rotation;
-    Vec2 velocity;             // [m/s]
-    real spin = 0;             // [rad/s]
+    Rot rotation;              // of `angle`
     Vec2 invMass;              // along x and y: a locked axis has 0   [1/kg]
     real invInertia = 0;       // [1/(kg*m^2)]
+
+    // Velocity change by the steady contact impulses of the previous tick: the warm start of all
+    // contacts at once, and what makes the prediction of a resting body rest.
+    real steadySpin = 0;       // [rad/s]
+    Vec2 steady;               // [m/s]
+    bool loaded = false;       // some contact of it carries a load
+
+    std::uint32_t body = 0;    // slot in the BodyTable
+    real extent = 0;           // farthest point of its shapes from the center   [m]
+    Vec2 velocity;             // [m/s]
+    real spin = 0;             // [rad/s]
+    double angle = 0;          // in [0, 2 pi)   [rad]
 
     Vec2 acceleration;         // by forces from outside, damping left out   [m/s^2]
     real spinRate = 0;         // [rad/s^2]
@@ -37,15 +47,6 @@ struct Motion {
     double fineSpin = 0;       // [rad/s]
     DVec2 excess;              // of the drift of this tick, by damping   [m]
     double excessTurn = 0;     // [rad]
-
-    // Velocity change by the steady contact impulses of the previous tick: the warm start of all
-    // contacts at once, and what makes the prediction of a resting body rest.
-    Vec2 steady;               // [m/s]
-    real steadySpin = 0;       // [rad/s]
-    bool loaded = false;       // some contact of it carries a load
-
-    real extent = 0;           // farthest point of its shapes from the center   [m]
-    std::uint32_t body = 0;    // slot in the BodyTable
 
     bool isFree() const { return invMass.x > 0 && invMass.x == invMass.y; }   ///< no locked axis
     bool moves() const { return invMass.x + invMass.y > 0 || invInertia > 0; }

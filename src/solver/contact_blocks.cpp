@@ -248,6 +248,20 @@ void passOver(ContactBlocks& blocks, ContactTable& contacts, MotionTable& motion
     }
 }
 
+namespace {
+
+void addUp(Contact& c)
+{
+    for (int k = 0; k < c.count; ++k) {
+        ContactPointRow& point = c.points[k];
+        point.stepNormal += point.normalImpulse;
+        point.stepTangent += point.tangentImpulse;
+        c.stepImpulse += point.normalImpulse * c.normal + point.tangentImpulse * perpendicular(c.normal);
+    }
+}
+
+}  // namespace
+
 void scatterBlocks(const ContactBlocks& blocks, ContactTable& contacts, MotionTable& motions)
 {
     for (const ContactBlock& block : blocks.blocks) {
@@ -257,8 +271,10 @@ void scatterBlocks(const ContactBlocks& blocks, ContactTable& contacts, MotionTa
                 c.points[k].normalImpulse = block.points[k].normalImpulse.v[lane];
                 c.points[k].tangentImpulse = block.points[k].tangentImpulse.v[lane];
             }
+            addUp(c);
         }
     }
+    for (const std::uint32_t i : blocks.singles) addUp(contacts.rows[i]);
     for (std::size_t row = 0; row < motions.rows.size(); ++row)
         setVelocity(motions.rows[row], blocks.velocities[row]);
 }

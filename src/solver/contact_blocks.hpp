@@ -60,7 +60,8 @@ void passOver(ContactBlocks& blocks, ContactTable& contacts, MotionTable& motion
               const StepContext& context, real restless, const std::vector<real>& before,
               std::vector<real>& unrest);
 
-/// Writes impulses back to the contacts and velocities to the bodies.
+/// Writes impulses back to the contacts, adds them to the sums of the step, and writes velocities to the
+/// bodies.
 void scatterBlocks(const ContactBlocks& blocks, ContactTable& contacts, MotionTable& motions);
 
 /// The island of either body.

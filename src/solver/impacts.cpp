@@ -61,10 +61,7 @@ ImpactSolver::ImpactSolver(ImpactStage& stage, const StepContext& context, int t
     for (std::size_t row = 0; row < rows; ++row)
         scratch_.reach[row] = fastestPoint(scratch_.flights[row], stage.motions.rows[row], context.h);
     for (std::uint32_t k = 0; k < contacts; ++k) {
-        const std::uint32_t i = stage.contacts.order[k];
-        contact(i).impacts = 0;
-        contact(i).fastestImpact = 0;
-        scratch_.places[i] = k;
+        scratch_.places[stage.contacts.order[k]] = k;
     }
 }
 
@@ -214,7 +211,7 @@ void ImpactSolver::follow(std::uint32_t row, std::uint32_t hit)
 
 void ImpactSolver::run()
 {
-    for (const std::uint32_t i : stage_.contacts.order) {
+    for (std::uint32_t i = 0; i < stage_.contacts.rows.size(); ++i) {
         const Contact& c = contact(i);
         const real most = scratch_.reach[c.rowA] + scratch_.reach[c.rowB];
         if (c.count > 0 && most >= slowestInCrowd(c, context_)) schedule(i);

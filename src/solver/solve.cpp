@@ -24,32 +24,30 @@ void forgetSums(SolverStage& stage)
 
 // The warm start of the tick: what the contacts carry, as velocity changes of the bodies. Taken with the
 // arms of the present poses: carried over from the tick before, impulses at points that slide would
-// change the angular momentum of the whole.
+// change the angular momentum of the whole. What carries a load at this moment is loaded for the tick: no
+// impact changes a contact that is.
 void gatherSteady(SolverStage& stage, const StepContext& context)
 {
     for (Motion& m : stage.motions.rows) {
         m.steady = {};
         m.steadySpin = 0;
+        m.loaded = false;
     }
     for (Contact& c : stage.contacts.rows) {
+        c.impacts = 0;
+        c.fastestImpact = 0;
+        if (c.count == 0) continue;
         Motion &a = stage.motions.rows[c.rowA], &b = stage.motions.rows[c.rowB];
         prepareContact(c, a, b);
         addSteady(c, a, b);
-    }
-    for (Motion& m : stage.motions.rows) limitSteady(m, context);
-}
-
-void markLoaded(SolverStage& stage)
-{
-    for (Motion& m : stage.motions.rows) m.loaded = false;
-    for (Contact& c : stage.contacts.rows) {
         for (int i = 0; i < c.count; ++i) {
             ContactPointRow& point = c.points[i];
             point.wasLoaded = point.normalImpulse > 0;
             point.pushImpulse = 0;
-            if (point.wasLoaded) stage.motions.rows[c.rowA].loaded = stage.motions.rows[c.rowB].loaded = true;
+            if (point.wasLoaded) a.loaded = b.loaded = true;
         }
     }
+    for (Motion& m : stage.motions.rows) limitSteady(m, context);
 }
 
 // One pass settles what rests. An island whose speeds it still changed gets further passes, up to a
@@ -81,18 +79,6 @@ void pushApart(SolverStage& stage, const StepContext& context, SolverScratch& sc
     for (const std::uint32_t i : stage.contacts.order) {
         Contact& c = stage.contacts.rows[i];
         repayPush(c, stage.motions.rows[c.rowA], stage.motions.rows[c.rowB], context.h);
-    }
-}
-
-void addUpImpulses(SolverStage& stage)
-{
-    for (Contact& c : stage.contacts.rows) {
-        for (int i = 0; i < c.count; ++i) {
-            ContactPointRow& point = c.points[i];
-            point.stepNormal += point.normalImpulse;
-            point.stepTangent += point.tangentImpulse;
-            c.stepImpulse += point.normalImpulse * c.normal + point.tangentImpulse * perpendicular(c.normal);
-        }
     }
 }
 
@@ -153,7 +139,6 @@ SolverCounts solve(SolverStage& stage, const StepContext& context)
         counts.impactTime += watch.lap();
 
         // First kick, contacts.
-        markLoaded(stage);
         for (std::size_t i = 0; i < rows.size(); ++i) {
             kickFirst(rows[i], scratch.kicks[i]);
             scratch.changes[i] = {-rows[i].velocity, -rows[i].spin};
@@ -166,7 +151,6 @@ SolverCounts solve(SolverStage& stage, const StepContext& context)
             scratch.changes[i].spin += rows[i].spin + rows[i].steadySpin;
             repayImpact(rows[i], scratch.kicks[i], solved, context.h);
         }
-        addUpImpulses(stage);
 
         // Drift, second kick.
         for (std::size_t i = 0; i < rows.size(); ++i) drift(rows[i], scratch.pushes[i], context.h);

@@ -48,6 +48,7 @@ struct World::Impl {
     MotionTable motions;
     std::vector<SweepBox> boxes;
     std::vector<ShapePair> pairs;
+    SweepScratch sweepScratch;
     std::vector<ImpactRecord> impacts;
     SolverScratch solverScratch;
 

@@ -140,7 +140,7 @@ StepReport World::Impl::step(double dt, int substeps)
 
     // Who might touch.
     sweepBoxes(shapes, motions, context, boxes);
-    sweepPairs(boxes, pairs);
+    sweepPairs(boxes, pairs, sweepScratch);
     begins.clear();
     ends.swap(endsOfDestroyed);
     endsOfDestroyed.clear();
@@ -183,9 +183,10 @@ StepReport World::Impl::step(double dt, int substeps)
     r.nonFinite = final.nonFinite;
     r.clamps.position = final.stopped;
     r.deepestOverlap = final.deepestOverlap;
-    std::sort(contacts.rows.begin(), contacts.rows.end(), [](const Contact& a, const Contact& b) {
+    const auto byShapePair = [](const Contact& a, const Contact& b) {
         return a.shapeA != b.shapeA ? a.shapeA < b.shapeA : a.shapeB < b.shapeB;
-    });
+    };
+    if (r.repaired > 0) std::sort(contacts.rows.begin(), contacts.rows.end(), byShapePair);
     for (Contact& contact : contacts.rows) {
         const bool touches = isTouching(contact, context.tuning);
         if (touches && !contact.touching) begins.push_back(touchEvent(contact));

@@ -36,8 +36,6 @@ TEST(BoxTree, FindsTheBoxesThatLookingAtAllFinds)
     TRACES("R7", "T5");
     for (const std::uint32_t count : {0u, 1u, 7u, 8u, 9u, 64u, 65u, 600u}) {
         std::vector<SweepBox> boxes = randomBoxes(count, count);
-        std::vector<ShapePair> pairs;
-        sweepPairs(boxes, pairs);  // sorts them, as a step does
         BoxTree tree;
         tree.build(boxes, count);
         std::vector<std::uint32_t> found;
