@@ -88,13 +88,13 @@ void adoptManifold(Contact& contact, const SweptResult& result, real matchDistan
 namespace {
 
 // Could the two come near each other within the step if something deflected them?
-bool withinReach(const SweptPair& pair, real dt)
+bool withinReach(const SweptPair& pair, real gap, real dt)
 {
     const Trajectory &a = pair.pathA, &b = pair.pathB;
     const real speed = length(a.velocity) + length(b.velocity) + absolute(a.spin) * pair.a.extent +
                        absolute(b.spin) * pair.b.extent;
     const real reach = speed * dt + length(a.acceleration - b.acceleration) * dt * dt;
-    return gapAt(pair, 0) <= reach + 3 * pair.restGap;
+    return gap <= reach + 3 * pair.restGap;
 }
 
 }  // namespace
@@ -110,7 +110,8 @@ void updateForStep(Contact& contact, const ShapeTable& shapes, const MotionTable
     clamps.advancement += result.exhausted ? 1 : 0;
     adoptManifold(contact, result, real(0.3) * maximum(pair.a.size, pair.b.size));
     const bool inactive = contact.count == 0;
-    contact.swept = contact.atImpact || result.bends || (inactive && withinReach(pair, dt));
+    contact.swept = contact.atImpact || result.bends || (inactive && withinReach(pair, result.startGap, dt));
+    contact.clearance = result.startGap;
 }
 
 }  // namespace tamias2d::inline TAMIAS_PRECISION

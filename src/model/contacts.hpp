@@ -46,6 +46,7 @@ struct Contact {
     real crossMass = 0;          // off the diagonal of the two points' 2x2 block   [1/kg]
     real time = 0;               // of the pose of the manifold, within the tick   [s]
     bool swept = false;          // looked at again in every tick
+    real clearance = 0;          // of a swept pair: it is at least that far apart now   [m]
     bool atImpact = false;       // the manifold is that of a moment of impact
     bool touching = false;       // at the end of the last step
     bool crowded = false;        // between bodies of at least Tuning::crowd that meet

@@ -337,8 +337,9 @@ SweptResult collideSwept(const SweptPair& pair, real from, real to)
 {
     const Sweep s(pair, from, to);
     // A gap can change no faster than the two move.
-    if ((s.start.distance + s.end.distance - s.travel) / 2 > s.admit) return {};
-    SweptResult result = settle(s);
+    SweptResult result;
+    if ((s.start.distance + s.end.distance - s.travel) / 2 <= s.admit) result = settle(s);
+    result.startGap = s.start.distance;
     result.bends = result.near && bendsAway(s, result.manifold);
     return result;
 }

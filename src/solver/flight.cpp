@@ -123,6 +123,13 @@ real fastestPoint(const Flight& flight, const Motion& m, real h)
            extent * (absolute(flight.spin) + h * absolute(flight.spinRate));
 }
 
+real travelWithin(const Flight& a, const Motion& ma, const Flight& b, const Motion& mb, real h)
+{
+    const real turn = ma.extent * (absolute(a.spin) + h * absolute(a.spinRate)) +
+                      mb.extent * (absolute(b.spin) + h * absolute(b.spinRate));
+    return h * (length(b.velocity - a.velocity) + h * length(b.acceleration - a.acceleration) + turn);
+}
+
 real slowestInCrowd(const Contact& c, const StepContext& context)
 {
     constexpr real kSlow = 10;  // rest gaps a tick: a hundredth of the smaller width

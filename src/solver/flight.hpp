@@ -71,6 +71,9 @@ struct Impact {
 /// A bound on the speed of any point of a body within a tick of length `h`.   [m/s]
 real fastestPoint(const Flight& flight, const Motion& m, real h);
 
+/// A bound on how far any two points of two bodies move against each other within `h`.   [m]
+real travelWithin(const Flight& a, const Motion& ma, const Flight& b, const Motion& mb, real h);
+
 /// In a crowd whatever stops slowly and for good stops many others with it, at no one time: below this speed
 /// the passes do it, all at once [ADR21].   [m/s]
 real slowestInCrowd(const Contact& contact, const StepContext& context);

@@ -9,9 +9,16 @@
 #include "solver/impact_response.hpp"
 
 #include <algorithm>
+#include <limits>
 
 namespace tamias2d::inline TAMIAS_PRECISION {
 namespace {
+
+// Gap beyond which a pair gets no manifold, and a little for rounding.   [m]
+real nearGap(const Contact& c)
+{
+    return real(3.01) * c.restGap;
+}
 
 class ImpactSolver {
 public:
@@ -37,6 +44,7 @@ private:
     void follow(std::uint32_t row, std::uint32_t hit);
     Trajectory pathOf(std::uint32_t row, Position origin);
     bool turnsOn(const Contact& c, real rest);
+    bool isFarFrom(real start, const Contact& c);
     void resweep(std::uint32_t i, bool own);
     void pairAgain(std::uint32_t row);
     bool isKnown(std::uint32_t row, const ShapePair& pair);
@@ -121,6 +129,17 @@ bool ImpactSolver::turnsOn(const Contact& c, real rest)
            c.restGap / 2;
 }
 
+// Are the two too far apart at `start` to meet in the rest of the tick?
+bool ImpactSolver::isFarFrom(real start, const Contact& c)
+{
+    const Flight &a = scratch_.flights[c.rowA], &b = scratch_.flights[c.rowB];
+    const Motion &ma = motion(c.rowA), &mb = motion(c.rowB);
+    const real went = length(b.shiftAt(start) - a.shiftAt(start)) + ma.extent * absolute(a.turnAt(start)) +
+                      mb.extent * absolute(b.turnAt(start));
+    const real travel = travelWithin(a, ma, b, mb, context_.h);
+    return c.clearance - real(1.001) * went - travel > nearGap(c);
+}
+
 // A pair of a body that was hit: its way is another from then on. The pair that was hit itself is
 // looked at again only if it turns on; loaded contacts keep their manifold.
 void ImpactSolver::resweep(std::uint32_t i, bool own)
@@ -129,8 +148,14 @@ void ImpactSolver::resweep(std::uint32_t i, bool own)
     const real start = pairOf(c).start();
     for (int k = 0; k < c.count; ++k)
         if (c.points[k].normalImpulse > 0) return;
+    if (!c.swept) c.clearance = -std::numeric_limits<real>::max();  // not known
     c.swept = true;
     if (!(start < context_.h) || (own && !turnsOn(c, context_.h - start))) return;
+    if (isFarFrom(start, c)) {
+        adoptManifold(c, {}, 0);
+        placePoints(i);
+        return;
+    }
 
     SweptPair pair = sweptPairOf(c, stage_.world.shapes, motion(c.rowA), motion(c.rowB), context_.invH);
     const Position origin = originOf(motion(c.rowA), motion(c.rowB));
@@ -238,14 +263,34 @@ void applyImpacts(ImpactStage& stage, const StepContext& context, int tick)
     ImpactSolver(stage, context, tick).run();
 }
 
+void keepClearances(ContactTable& contacts, const std::vector<Way>& ways)
+{
+    for (Contact& c : contacts.rows) {
+        if (!c.swept) continue;
+        const Way &a = ways[c.rowA], &b = ways[c.rowB];
+        c.clearance -= real(1.001) * (length(b.shift - a.shift) + a.turn + b.turn) + real(0.01) * c.restGap;
+    }
+}
+
 void resweepForTick(ImpactStage& stage, const StepContext& context)
 {
+    const std::vector<Motion>& rows = stage.motions.rows;
+    std::vector<Flight>& flights = stage.scratch.flights;
+    flights.resize(rows.size());
+    for (std::size_t row = 0; row < rows.size(); ++row) flights[row] = flightOf(rows[row], context.invH);
     for (Contact& c : stage.contacts.rows) {
         if (!c.swept) continue;
-        const Motion &a = stage.motions.rows[c.rowA], &b = stage.motions.rows[c.rowB];
-        const SweptPair pair = sweptPairOf(c, stage.world.shapes, a, b, context.invH);
+        // Too far apart to meet in this tick: what the sweep would say without looking.
+        const real travel =
+            travelWithin(flights[c.rowA], rows[c.rowA], flights[c.rowB], rows[c.rowB], context.h);
+        if (c.clearance - travel > nearGap(c)) {
+            adoptManifold(c, {}, 0);
+            continue;
+        }
+        const SweptPair pair = sweptPairOf(c, stage.world.shapes, rows[c.rowA], rows[c.rowB], context.invH);
         const SweptResult result = collideSwept(pair, 0, context.h);
         stage.clamps.advancement += result.exhausted ? 1 : 0;
+        c.clearance = result.startGap;
         adoptManifold(c, result, real(0.3) * maximum(pair.a.size, pair.b.size));
     }
 }

@@ -9,6 +9,9 @@ namespace tamias2d::inline TAMIAS_PRECISION {
 /// Contacts must be prepared at the present poses. docs/theory/contacts.md, section 3.
 void applyImpacts(ImpactStage& stage, const StepContext& context, int tick);
 
+/// Takes from the clearances of swept pairs what the bodies went in a tick.
+void keepClearances(ContactTable& contacts, const std::vector<Way>& ways);
+
 /// Looks again at the swept pairs, over this tick alone.
 void resweepForTick(ImpactStage& stage, const StepContext& context);
 

@@ -87,15 +87,17 @@ void kickFirst(Motion& m, const ImpactKick& kick)
     m.spin += kick.spinBefore;
 }
 
-void drift(Motion& m, const Push& push, real h)
+Way drift(Motion& m, const Push& push, real h)
 {
     const double time = static_cast<double>(h);
-    m.center = m.center + (time * toDVec2(m.velocity + push.shift) + m.excess);
+    const DVec2 shift = time * toDVec2(m.velocity + push.shift) + m.excess;
+    m.center = m.center + shift;
     const double turn = time * static_cast<double>(m.spin + push.turn) + m.excessTurn;
     if (turn != 0) {
         m.angle = wrapAngle(m.angle + turn);
         m.rotation = Rot::ofAngle(m.angle);
     }
+    return {toVec2(shift), m.extent * absolute(static_cast<real>(turn))};
 }
 
 void kickSecond(Motion& m, const ImpactKick& kick)

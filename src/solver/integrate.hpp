@@ -22,8 +22,14 @@ Damping makeDamping(real rate, real h);
 /// rests on something is solved once, with its whole load.
 void kickFirst(Motion& m, const ImpactKick& kick);
 
+/// How a body went: the way of its center, and at most how much more any point of it by turning.   [m]
+struct Way {
+    Vec2 shift;
+    real turn = 0;
+};
+
 /// Moves the body along its velocity and the push, and by what damping adds to that.
-void drift(Motion& m, const Push& push, real h);
+Way drift(Motion& m, const Push& push, real h);
 
 /// The rest of the kick, with the acceleration at the new place.
 void kickSecond(Motion& m, const ImpactKick& kick);

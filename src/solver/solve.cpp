@@ -121,6 +121,7 @@ SolverCounts solve(SolverStage& stage, const StepContext& context)
         m.spinDamping = makeDamping(m.moves() ? body.angularDamping : real(0), context.h);
     }
     forgetSums(stage);
+    scratch.ways.resize(rows.size());
     const bool varies = stage.field.varies(stage.world.bodies);
 
     Stopwatch watch;
@@ -153,7 +154,9 @@ SolverCounts solve(SolverStage& stage, const StepContext& context)
         }
 
         // Drift, second kick.
-        for (std::size_t i = 0; i < rows.size(); ++i) drift(rows[i], scratch.pushes[i], context.h);
+        for (std::size_t i = 0; i < rows.size(); ++i)
+            scratch.ways[i] = drift(rows[i], scratch.pushes[i], context.h);
+        keepClearances(stage.contacts, scratch.ways);
         if (varies)
             counts.lawFaults += accelerateAfterDrift(stage, context, time + context.dt / context.ticks);
         for (std::size_t i = 0; i < rows.size(); ++i) {

@@ -15,6 +15,7 @@ struct SolverScratch {
     std::vector<ImpactKick> kicks;      // by row
     std::vector<TickChange> changes;    // by row
     std::vector<Push> pushes;           // by row
+    std::vector<Way> ways;              // by row: in the last tick
     std::vector<std::pair<Vec2, real>> held;   // by row: velocity and spin
     std::vector<real> unrest, unrestBefore;    // by island: greatest change of speed in a pass   [m/s]
     ContactBlocks blocks;
