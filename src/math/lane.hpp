@@ -116,8 +116,9 @@ struct alignas(16) LaneRow {
 // The first or the second 16 bytes of a row.
 inline Lane<kLanes>::Vector loadPart(const LaneRow& row, int part)
 {
+    const auto* bytes = reinterpret_cast<const unsigned char*>(&row);
     Lane<kLanes>::Vector vector;
-    __builtin_memcpy(&vector, &row.x + part * kLanes, sizeof vector);
+    __builtin_memcpy(&vector, part == 0 ? bytes : bytes + sizeof vector, sizeof vector);
     return vector;
 }
 
@@ -149,8 +150,9 @@ void scatterRows(Lane<W> x, Lane<W> y, Lane<W> z, LaneRow* const (&rows)[W])
 {
     const auto store = [&rows](int i, auto first, auto second) {
         if (rows[i] == nullptr) return;
-        __builtin_memcpy(&rows[i]->x, &first, sizeof first);
-        if constexpr (W == 2) __builtin_memcpy(&rows[i]->z, &second, sizeof second);
+        auto* bytes = reinterpret_cast<unsigned char*>(rows[i]);
+        __builtin_memcpy(bytes, &first, sizeof first);
+        if constexpr (W == 2) __builtin_memcpy(bytes + sizeof first, &second, sizeof second);
     };
     if constexpr (W == 4) {
         const auto xy01 = __builtin_shufflevector(x.v, y.v, 0, 4, 1, 5);
