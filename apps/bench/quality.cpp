@@ -44,18 +44,23 @@ Placed place(const SceneShape& shape, const State& state, std::size_t body)
     return placed;
 }
 
-// Greatest distance of `b` in front of a face of `a`, negative inside; -infinity if `a` has no inside.
+// Greatest distance of `b` in front of a face of `a`, a line having two; -infinity if `a` is a point.
 double faceDistance(const Placed& a, const Placed& b)
 {
     const std::size_t n = a.corners.size();
     double greatest = -std::numeric_limits<double>::infinity();
-    if (n < 3) return greatest;
+    if (n < 2) return greatest;
     for (std::size_t i = 0; i < n; ++i) {
         const Vec edge = minus(a.corners[(i + 1) % n], a.corners[i]);
         const double length = std::sqrt(dot(edge, edge));
-        double least = std::numeric_limits<double>::infinity();
-        for (Vec p : b.corners) least = std::min(least, -cross(edge, minus(p, a.corners[i])) / length);
+        double least = std::numeric_limits<double>::infinity(), before = least;
+        for (Vec p : b.corners) {
+            const Vec d = minus(p, a.corners[i]);
+            least = std::min(least, -cross(edge, d) / length);
+            before = std::min(before, -dot(edge, d) / length);
+        }
         greatest = std::max(greatest, least);
+        if (n == 2) greatest = std::max(greatest, before);  // beyond an end of the line
     }
     return greatest;
 }
