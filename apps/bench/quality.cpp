@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numbers>
 
 namespace tamias2d::bench {
 namespace {
@@ -106,7 +107,7 @@ Mass massOf(const SceneBody& body)
     };
     for (const SceneShape& shape : body.shapes) {
         const std::vector<Vec>& c = shape.corners;
-        const double r = shape.radius, pi = 3.14159265358979;
+        const double r = shape.radius, pi = std::numbers::pi;
         for (std::size_t i = 1; i + 1 < c.size(); ++i) {
             const Vec u = minus(c[i], c[0]), v = minus(c[i + 1], c[0]);
             const double mass = shape.density * cross(u, v) / 2;

@@ -4,6 +4,7 @@
 #include "suite_scenes.hpp"
 
 #include <cmath>
+#include <numbers>
 
 namespace tamias2d::bench {
 namespace {
@@ -17,8 +18,8 @@ SceneShape regular(int corners, double radius)
 {
     std::vector<Vec> points;
     for (int i = 0; i < corners; ++i)
-        points.push_back({radius * std::cos(i * 2 * 3.14159265358979 / corners),
-                          radius * std::sin(i * 2 * 3.14159265358979 / corners)});
+        points.push_back({radius * std::cos(i * 2 * std::numbers::pi / corners),
+                          radius * std::sin(i * 2 * std::numbers::pi / corners)});
     return polygon(points);
 }
 

@@ -16,14 +16,6 @@ template <class T>
 struct VectorOf<T, 16> {
     typedef T Type __attribute__((vector_size(16)));
 };
-template <class T>
-struct VectorOf<T, 32> {
-    typedef T Type __attribute__((vector_size(32)));
-};
-template <class T>
-struct VectorOf<T, 64> {
-    typedef T Type __attribute__((vector_size(64)));
-};
 
 /// W truths, one a lane.
 template <int W>

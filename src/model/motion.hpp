@@ -76,9 +76,4 @@ inline real crossCompliance(const Motion& a, const Motion& b, Vec2 n, Vec2 armA,
            b.invInertia * cross(armB, n) * cross(otherArmB, n);
 }
 
-inline Vec2 velocityAt(const Motion& m, Vec2 arm)
-{
-    return m.velocity + cross(m.spin, arm);
-}
-
 }  // namespace tamias2d::inline TAMIAS_PRECISION

@@ -64,13 +64,11 @@ ImpactSolver::ImpactSolver(ImpactStage& stage, const StepContext& context, int t
     scratch_.placed.assign(contacts, false);
     scratch_.places.resize(contacts);
     scratch_.queue.clear();
-    for (std::size_t row = 0; row < rows; ++row)
+    for (std::size_t row = 0; row < rows; ++row) {
         scratch_.flights[row] = flightOf(stage.motions.rows[row], context.invH);
-    for (std::size_t row = 0; row < rows; ++row)
         scratch_.reach[row] = fastestPoint(scratch_.flights[row], stage.motions.rows[row], context.h);
-    for (std::uint32_t k = 0; k < contacts; ++k) {
-        scratch_.places[stage.contacts.order[k]] = k;
     }
+    for (std::uint32_t k = 0; k < contacts; ++k) scratch_.places[stage.contacts.order[k]] = k;
 }
 
 void ImpactSolver::connect()
@@ -263,31 +261,27 @@ void applyImpacts(ImpactStage& stage, const StepContext& context, int tick)
     ImpactSolver(stage, context, tick).run();
 }
 
-void keepClearances(ContactTable& contacts, const std::vector<Way>& ways)
+void keepClearance(Contact& c, const std::vector<Way>& ways)
 {
-    for (Contact& c : contacts.rows) {
-        if (!c.swept) continue;
-        const Way &a = ways[c.rowA], &b = ways[c.rowB];
-        c.clearance -= real(1.001) * (length(b.shift - a.shift) + a.turn + b.turn) + real(0.01) * c.restGap;
-    }
+    const Way &a = ways[c.rowA], &b = ways[c.rowB];
+    c.clearance -= real(1.001) * (length(b.shift - a.shift) + a.turn + b.turn) + real(0.01) * c.restGap;
 }
 
-void resweepForTick(ImpactStage& stage, const StepContext& context)
+void resweepForTick(ImpactStage& stage, const std::vector<Way>& ways, const StepContext& context)
 {
     const std::vector<Motion>& rows = stage.motions.rows;
-    std::vector<Flight>& flights = stage.scratch.flights;
-    flights.resize(rows.size());
-    for (std::size_t row = 0; row < rows.size(); ++row) flights[row] = flightOf(rows[row], context.invH);
     for (Contact& c : stage.contacts.rows) {
         if (!c.swept) continue;
+        const Motion &a = rows[c.rowA], &b = rows[c.rowB];
+        keepClearance(c, ways);
         // Too far apart to meet in this tick: what the sweep would say without looking.
         const real travel =
-            travelWithin(flights[c.rowA], rows[c.rowA], flights[c.rowB], rows[c.rowB], context.h);
+            travelWithin(flightOf(a, context.invH), a, flightOf(b, context.invH), b, context.h);
         if (c.clearance - travel > nearGap(c)) {
             adoptManifold(c, {}, 0);
             continue;
         }
-        const SweptPair pair = sweptPairOf(c, stage.world.shapes, rows[c.rowA], rows[c.rowB], context.invH);
+        const SweptPair pair = sweptPairOf(c, stage.world.shapes, a, b, context.invH);
         const SweptResult result = collideSwept(pair, 0, context.h);
         stage.clamps.advancement += result.exhausted ? 1 : 0;
         c.clearance = result.startGap;

@@ -9,10 +9,10 @@ namespace tamias2d::inline TAMIAS_PRECISION {
 /// Contacts must be prepared at the present poses. docs/theory/contacts.md, section 3.
 void applyImpacts(ImpactStage& stage, const StepContext& context, int tick);
 
-/// Takes from the clearances of swept pairs what the bodies went in a tick.
-void keepClearances(ContactTable& contacts, const std::vector<Way>& ways);
+/// Takes from the clearance of a swept pair what its bodies went in a tick.
+void keepClearance(Contact& contact, const std::vector<Way>& ways);
 
-/// Looks again at the swept pairs, over this tick alone.
-void resweepForTick(ImpactStage& stage, const StepContext& context);
+/// Looks again at the swept pairs, over this tick alone. `ways` are those of the tick before.
+void resweepForTick(ImpactStage& stage, const std::vector<Way>& ways, const StepContext& context);
 
 }  // namespace tamias2d::inline TAMIAS_PRECISION

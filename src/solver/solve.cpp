@@ -121,7 +121,7 @@ SolverCounts solve(SolverStage& stage, const StepContext& context)
         m.spinDamping = makeDamping(m.moves() ? body.angularDamping : real(0), context.h);
     }
     forgetSums(stage);
-    scratch.ways.resize(rows.size());
+    scratch.ways.assign(rows.size(), {});
     const bool varies = stage.field.varies(stage.world.bodies);
 
     Stopwatch watch;
@@ -134,7 +134,7 @@ SolverCounts solve(SolverStage& stage, const StepContext& context)
             counts.lawFaults += accelerate(stage.motions, stage.world.bodies, stage.field, time);
 
         // Impacts at their times.
-        resweepForTick(impacts, context);
+        resweepForTick(impacts, scratch.ways, context);
         gatherSteady(stage, context);
         applyImpacts(impacts, context, tick);
         counts.impactTime += watch.lap();
@@ -156,7 +156,6 @@ SolverCounts solve(SolverStage& stage, const StepContext& context)
         // Drift, second kick.
         for (std::size_t i = 0; i < rows.size(); ++i)
             scratch.ways[i] = drift(rows[i], scratch.pushes[i], context.h);
-        keepClearances(stage.contacts, scratch.ways);
         if (varies)
             counts.lawFaults += accelerateAfterDrift(stage, context, time + context.dt / context.ticks);
         for (std::size_t i = 0; i < rows.size(); ++i) {
@@ -172,6 +171,8 @@ SolverCounts solve(SolverStage& stage, const StepContext& context)
             if (m.moves() && clampSpeed(m, context.lengthUnit)) ++counts.clamps.speed;
         counts.solveTime += watch.lap();
     }
+    for (Contact& c : stage.contacts.rows)
+        if (c.swept) keepClearance(c, scratch.ways);
     return counts;
 }
 

@@ -76,19 +76,24 @@ void sweepBoxes(ShapeTable& shapes, const MotionTable& motions, const StepContex
     }
 }
 
-void colorContacts(ContactTable& contacts, const MotionTable& motions)
+// By row: can anything push it?
+std::vector<bool> movableRows(const MotionTable& motions)
 {
     std::vector<bool> movable;
     for (const Motion& m : motions.rows) movable.push_back(m.moves());
+    return movable;
+}
+
+void colorContacts(ContactTable& contacts, const std::vector<bool>& movable)
+{
     std::vector<RowPair> pairs;
     for (const Contact& c : contacts.rows) pairs.push_back({c.rowA, c.rowB});
     colorConstraints(pairs, movable, contacts.order, contacts.colorEnds);
 }
 
-Islands linkTouching(const ContactTable& contacts, MotionTable& motions, const StepContext& context)
+Islands linkTouching(const ContactTable& contacts, const MotionTable& motions,
+                     const std::vector<bool>& movable, const StepContext& context)
 {
-    std::vector<bool> pushable;
-    for (const Motion& m : motions.rows) pushable.push_back(m.moves());
     std::vector<Link> links;
     for (const Contact& c : contacts.rows) {
         bool linked = false;
@@ -98,21 +103,19 @@ Islands linkTouching(const ContactTable& contacts, MotionTable& motions, const S
         }
         if (linked) links.push_back({c.rowA, c.rowB});
     }
-    return linkIslands(links, pushable, [&](std::uint32_t a, std::uint32_t b) {
+    return linkIslands(links, movable, [&](std::uint32_t a, std::uint32_t b) {
         const Motion &ma = motions.rows[a], &mb = motions.rows[b];
         const bool still = ma.velocity == Vec2{} && mb.velocity == Vec2{} && ma.spin == 0 && mb.spin == 0;
         return still || (ma.velocity == mb.velocity && ma.spin == 0 && mb.spin == 0);
     });
 }
 
-void markCrowds(ContactTable& contacts, const MotionTable& motions, const Tuning& tuning)
+void markCrowds(ContactTable& contacts, const std::vector<bool>& movable, const Tuning& tuning)
 {
-    std::vector<bool> pushable;
-    for (const Motion& m : motions.rows) pushable.push_back(m.moves());
     std::vector<Link> links;
     for (const Contact& c : contacts.rows)
         if (c.count > 0) links.push_back({c.rowA, c.rowB});
-    const Islands islands = linkIslands(links, pushable, [](std::uint32_t, std::uint32_t) { return true; });
+    const Islands islands = linkIslands(links, movable, [](std::uint32_t, std::uint32_t) { return true; });
     const auto sizeAt = [&](std::uint32_t row) {
         const std::uint32_t island = islands.islandOf[row];
         return island == Islands::kNone ? 0u : islands.sizeOf[island];
@@ -159,9 +162,10 @@ StepReport World::Impl::step(double dt, int substeps)
     r.times.manifolds = watch.lap();
 
     // Who must be solved together, and who may be side by side.
-    const Islands islands = linkTouching(contacts, motions, context);
-    markCrowds(contacts, motions, context.tuning);
-    colorContacts(contacts, motions);
+    const std::vector<bool> movable = movableRows(motions);
+    const Islands islands = linkTouching(contacts, motions, movable, context);
+    markCrowds(contacts, movable, context.tuning);
+    colorContacts(contacts, movable);
     r.times.graph = watch.lap();
 
     // Move.
@@ -183,10 +187,10 @@ StepReport World::Impl::step(double dt, int substeps)
     r.nonFinite = final.nonFinite;
     r.clamps.position = final.stopped;
     r.deepestOverlap = final.deepestOverlap;
-    const auto byShapePair = [](const Contact& a, const Contact& b) {
+    const auto byShapes = [](const auto& a, const auto& b) {
         return a.shapeA != b.shapeA ? a.shapeA < b.shapeA : a.shapeB < b.shapeB;
     };
-    if (r.repaired > 0) std::sort(contacts.rows.begin(), contacts.rows.end(), byShapePair);
+    if (r.repaired > 0) std::sort(contacts.rows.begin(), contacts.rows.end(), byShapes);
     for (Contact& contact : contacts.rows) {
         const bool touches = isTouching(contact, context.tuning);
         if (touches && !contact.touching) begins.push_back(touchEvent(contact));
@@ -194,9 +198,6 @@ StepReport World::Impl::step(double dt, int substeps)
         contact.touching = touches;
         r.touching += touches ? 1 : 0;
     }
-    const auto byShapes = [](const TouchEvent& a, const TouchEvent& b) {
-        return a.shapeA != b.shapeA ? a.shapeA < b.shapeA : a.shapeB < b.shapeB;
-    };
     std::sort(begins.begin(), begins.end(), byShapes);
     std::sort(ends.begin(), ends.end(), byShapes);
     hits.clear();

@@ -19,8 +19,7 @@ struct Tuning {
     real calmRate = real(0.3);  ///< part of the speed a calm loaded body loses in a tick  [1] in [0, 1)
     real calmSpeed = real(0.1);  ///< above which nothing is calmed            [lengthUnit/s] > 0
     real impactThreshold = 1;  ///< slowest impact, over what steady forces do in a tick  [1] in [0.1, 10]
-    int crowd = 8;  ///< bodies that meet, from which on slow plastic impacts are left to the passes  [1]   in
-                    ///< [1, 1e6]
+    int crowd = 8;  ///< so many bodies that meet leave slow plastic impacts to the passes [1]  in [1, 1e6]
     int impactsPerContact = 32;  ///< in one tick; plastic after half of them       [1]   in [2, 1000]
 
     friend constexpr bool operator==(const Tuning&, const Tuning&) noexcept = default;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "broadphase/sweep.hpp"
+#include "support/boxes.hpp"
 #include "support/traces.hpp"
 
 #include <gtest/gtest.h>
@@ -10,19 +11,6 @@
 
 namespace tamias2d {
 namespace {
-
-std::vector<SweepBox> randomBoxes(std::uint32_t count, unsigned seed)
-{
-    std::mt19937 random(seed);
-    std::uniform_real_distribution<double> place(-20, 20), size(0, 3);
-    std::vector<SweepBox> boxes;
-    for (std::uint32_t i = 0; i < count; ++i) {
-        const Position lower{place(random), place(random)};
-        const DVec2 extent{i % 17 == 0 ? 40.0 : size(random), size(random)};
-        boxes.push_back({{lower, lower + extent}, i, i / 2, i % 3 != 0});  // two shapes a body
-    }
-    return boxes;
-}
 
 std::vector<ShapePair> pairsByBruteForce(const std::vector<SweepBox>& boxes)
 {

@@ -1,26 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "broadphase/tree.hpp"
+#include "support/boxes.hpp"
 #include "support/traces.hpp"
 
 #include <gtest/gtest.h>
 
-#include <random>
-
 namespace tamias2d {
 namespace {
-
-std::vector<SweepBox> randomBoxes(std::uint32_t count, unsigned seed)
-{
-    std::mt19937 random(seed);
-    std::uniform_real_distribution<double> place(-20, 20), size(0, 3);
-    std::vector<SweepBox> boxes;
-    for (std::uint32_t i = 0; i < count; ++i) {
-        const Position lower{place(random), place(random)};
-        const DVec2 extent{i % 17 == 0 ? 40.0 : size(random), size(random)};
-        boxes.push_back({{lower, lower + extent}, i, i / 2, i % 3 != 0});  // two shapes a body
-    }
-    return boxes;
-}
 
 std::vector<std::uint32_t> byBruteForce(const std::vector<SweepBox>& boxes, const Aabb& box,
                                         std::uint32_t body)
