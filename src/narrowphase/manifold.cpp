@@ -106,6 +106,39 @@ bool isSharpPair(const Convex& a, const Convex& b)
     return a.faces() > 0 && b.faces() > 0 && a.radius + b.radius <= 0 && a.count + b.count > 4;
 }
 
+namespace {
+
+// Where two roundings meet end to end and lie nearly along each other, one point would let them rock into
+// each other at the far end within a step: that end is the second point.
+void addFarEnd(const Convex& a, const Pose& poseA, const Convex& b, const Pose& poseB, Manifold& manifold)
+{
+    constexpr real kAlong = real(0.98);   // cosine: 11 degrees
+    if (a.faces() == 0 || b.faces() == 0) return;
+    const auto along = [&](const Convex& shape, const Pose& pose, Vec2 outwards, int& face) {
+        real most = -1;
+        for (int i = 0; i < shape.count; ++i) {
+            const real cosine = dot(rotate(pose.q, shape.normals[i]), outwards);
+            if (cosine > most) most = cosine, face = i;
+        }
+        return most;
+    };
+    int faceA = 0, faceB = 0;
+    const real alongA = along(a, poseA, manifold.normal, faceA);
+    const real alongB = along(b, poseB, -manifold.normal, faceB);
+    if (!(minimum(alongA, alongB) > kAlong)) return;
+
+    Manifold ends;
+    const bool onA = alongA >= alongB;
+    if (!faceManifold(a, poseA, b, poseB, onA, onA ? faceA : faceB, false, ends) || ends.count < 2) return;
+    ManifoldPoint& near = manifold.points[0];
+    const auto distance = [&](const ManifoldPoint& p) { return length(p.localA - near.localA); };
+    manifold.points[1] = ends.points[distance(ends.points[0]) > distance(ends.points[1]) ? 0 : 1];
+    near.roundOnRound = false;   // the two share one normal
+    manifold.count = 2;
+}
+
+}  // namespace
+
 void closestManifold(const Convex& a, const Pose& poseA, const Convex& b, const Pose& poseB, real preference,
                      Manifold& manifold)
 {
@@ -123,6 +156,7 @@ void closestManifold(const Convex& a, const Pose& poseA, const Convex& b, const 
     point.cornerOnA = a.radius > b.radius;  // on the rounder one: its turning must not lever on the other
     point.roundOnRound = a.radius + b.radius > 0;
     point.feature = static_cast<std::uint32_t>(nearest.featureA | (nearest.featureB << 4) | (1 << 12));
+    if (point.roundOnRound) addFarEnd(a, poseA, b, poseB, manifold);
 }
 
 }  // namespace tamias2d::inline TAMIAS_PRECISION

@@ -124,6 +124,27 @@ TEST(Calm, APileOfAHundredBoxesComesToRest)
     record("energyRises_of_drop", totals.sumOfEnergyRises / (totals.highestEnergy - world.energy().total()));
 }
 
+// Lying capsules fall on each other end to end. Where they meet at the one end they rock about it: they must
+// not sink into each other at the far one.
+TEST(Calm, CapsulesThatFallEndToEndDoNotSinkIntoEachOther)
+{
+    TRACES("R8", "R5", "DD7");
+    World world;
+    addBin(world, {});
+    Random random(11);
+    for (int row = 0; row < 25; ++row)
+        for (int column = 0; column < 8; ++column)
+            addCapsule(world, {-3.85 + 1.1 * column + random.between(-0.04, 0.04), 0.55 + 1.05 * row}, 1.0,
+                       0.25);
+    double deepest = 0;
+    for (int i = 0; i < 240; ++i) {
+        world.step();
+        if (i % 4 == 3) deepest = std::max(deepest, deepestOverlap(world));
+    }
+    EXPECT_LE(deepest, 0.015);
+    record("deepest_m", deepest);
+}
+
 // Boxes and discs fall into the bin; they may only lose energy.
 void expectNoEnergyFromNowhere(double restitution)
 {
