@@ -114,17 +114,10 @@ void addFarEnd(const Convex& a, const Pose& poseA, const Convex& b, const Pose& 
 {
     constexpr real kAlong = real(0.98);   // cosine: 11 degrees
     if (a.faces() == 0 || b.faces() == 0) return;
-    const auto along = [&](const Convex& shape, const Pose& pose, Vec2 outwards, int& face) {
-        real most = -1;
-        for (int i = 0; i < shape.count; ++i) {
-            const real cosine = dot(rotate(pose.q, shape.normals[i]), outwards);
-            if (cosine > most) most = cosine, face = i;
-        }
-        return most;
-    };
-    int faceA = 0, faceB = 0;
-    const real alongA = along(a, poseA, manifold.normal, faceA);
-    const real alongB = along(b, poseB, -manifold.normal, faceB);
+    const Vec2 n = manifold.normal;
+    const PlacedCore coreA(a, poseA), coreB(b, poseB);
+    const int faceA = incidentEdge(coreA, -n), faceB = incidentEdge(coreB, n);
+    const real alongA = dot(coreA.normals[faceA], n), alongB = -dot(coreB.normals[faceB], n);
     if (!(minimum(alongA, alongB) > kAlong)) return;
 
     Manifold ends;
