@@ -18,3 +18,8 @@ export async function waitUntil(tab, question, milliseconds = 30000) {
   }
   throw new Error(`still false after ${milliseconds} ms: ${question}`);
 }
+
+// Waits for what was asked last to be drawn and shown: one animation frame draws it, the next shows it.
+export function painted(tab) {
+  return tab.evaluate(() => new Promise(done => requestAnimationFrame(() => requestAnimationFrame(done))));
+}

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 // What the browser really painted: screenshots as pixels, and questions about them. Coordinates are CSS pixels.
+import { painted } from './browser.mjs';
 
 /// The picture of a page as {width, height, ratio, rgba}. The browser itself decodes the PNG, in a page of its own.
 export async function screenshot(tab) {
-  // Two animation frames: one draws what was asked last, the next shows it.
-  await tab.evaluate(() => new Promise(done => requestAnimationFrame(() => requestAnimationFrame(done))));
+  await painted(tab);
   const png = (await tab.screenshot({ animations: 'disabled' })).toString('base64');
   const ratio = await tab.evaluate(() => window.devicePixelRatio);
   const browser = tab.context().browser();

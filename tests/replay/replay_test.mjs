@@ -6,7 +6,7 @@ import { mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { pathToFileURL } from 'node:url';
-import { launch, waitUntil } from './browser.mjs';
+import { launch, painted, waitUntil } from './browser.mjs';
 import { crowd, motionOf, pageOf, sample } from './sample.mjs';
 import { boundsOfPatch, colorAt, colorGap, countNear, differing, parseColor, screenshot } from './pixels.mjs';
 
@@ -152,6 +152,7 @@ for (const [name, file] of Object.entries(pages)) describe(name, () => {
     const { index, body, at } = await visibleBody(tab, api, data), frame = data.frames[await api('frame')];
     await tab.mouse.click(at.x, at.y);
     assert.equal(await tab.inputValue('#who'), String(index), `clicked ${body.name}`);
+    await painted(tab);
     const [x, y, angle] = frame.poses.slice(3 * index), [vx, vy, w] = frame.velocities.slice(3 * index);
     const expected = { x, y, rad: angle, vx, vy, speed: Math.hypot(vx, vy), w };
     for (const [key, value] of Object.entries(expected)) {
