@@ -128,7 +128,7 @@ TEST(Calm, APileOfAHundredBoxesComesToRest)
 // not sink into each other at the far one.
 TEST(Calm, CapsulesThatFallEndToEndDoNotSinkIntoEachOther)
 {
-    TRACES("R8", "R5", "DD7");
+    TRACES("R8", "R5");
     World world;
     addBin(world, {});
     Random random(11);
