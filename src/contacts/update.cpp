@@ -46,9 +46,48 @@ SweptPair sweptPairOf(const Contact& contact, const ShapeTable& shapes, const Mo
             predictedPath(a, origin, invH), predictedPath(b, origin, invH), contact.restGap};
 }
 
+void ExpectedPaths::begin(std::size_t rows, real end, real invH)
+{
+    ++span_;
+    rows_.resize(rows);
+    end_ = end;
+    invH_ = invH;
+}
+
+const Trajectory& ExpectedPaths::pathOf(std::uint32_t row, const Motion& m)
+{
+    Row& known = rows_[row];
+    if (known.span != span_) {
+        known.span = span_;
+        known.path = predictedPath(m, m.center, invH_);
+        known.path.lookAhead(end_);
+    }
+    return known.path;
+}
+
+SweptPair ExpectedPaths::pairOf(const Contact& contact, const ShapeTable& shapes, const MotionTable& motions)
+{
+    const Motion &a = motions.rows[contact.rowA], &b = motions.rows[contact.rowB];
+    const Position origin = originOf(a, b);
+    SweptPair pair{shapes.rows[contact.shapeA].convex, shapes.rows[contact.shapeB].convex,
+                   pathOf(contact.rowA, a), pathOf(contact.rowB, b), contact.restGap};
+    pair.pathA.position = toVec2(a.center - origin);
+    pair.pathB.position = toVec2(b.center - origin);
+    return pair;
+}
+
 void adoptManifold(Contact& contact, const SweptResult& result, real matchDistance)
 {
-    const ContactPointRow old[2] = {contact.points[0], contact.points[1]};
+    struct Known {
+        std::uint32_t feature;
+        Vec2 localB;
+        real normalImpulse, tangentImpulse, stepNormal, stepTangent;
+    } old[2];
+    for (int k = 0; k < 2; ++k) {
+        const ContactPointRow& p = contact.points[k];
+        old[k] = {p.anchor.feature, p.anchor.localB, p.normalImpulse,
+                  p.tangentImpulse, p.stepNormal,    p.stepTangent};
+    }
     bool taken[2] = {contact.count < 1, contact.count < 2};
     const int count = result.near ? result.manifold.count : 0;
     bool found[2] = {false, false};
@@ -71,14 +110,14 @@ void adoptManifold(Contact& contact, const SweptResult& result, real matchDistan
     };
     for (int i = 0; i < count; ++i)
         for (int k = 0; k < 2; ++k)
-            if (!found[i] && !taken[k] && old[k].anchor.feature == contact.points[i].anchor.feature)
-                carry(i, k);
+            if (!found[i] && !taken[k] && old[k].feature == contact.points[i].anchor.feature) carry(i, k);
     for (int i = 0; i < count; ++i) {
+        if (found[i]) continue;
         int nearest = -1;
         real least = matchDistance;
         for (int k = 0; k < 2; ++k) {
-            const real distance = length(old[k].anchor.localB - contact.points[i].anchor.localB);
-            if (!found[i] && !taken[k] && distance < least) least = distance, nearest = k;
+            const real distance = length(old[k].localB - contact.points[i].anchor.localB);
+            if (!taken[k] && distance < least) least = distance, nearest = k;
         }
         if (nearest >= 0) carry(i, nearest);
     }
@@ -100,10 +139,9 @@ bool withinReach(const SweptPair& pair, real gap, real dt)
 }  // namespace
 
 void updateForStep(Contact& contact, const ShapeTable& shapes, const MotionTable& motions,
-                   const StepContext& context, ClampCounts& clamps)
+                   const StepContext& context, ExpectedPaths& paths, ClampCounts& clamps)
 {
-    const Motion &a = motions.rows[contact.rowA], &b = motions.rows[contact.rowB];
-    const SweptPair pair = sweptPairOf(contact, shapes, a, b, context.invH);
+    const SweptPair pair = paths.pairOf(contact, shapes, motions);
     const real dt = static_cast<real>(context.dt);
     const SweptResult result = collideSwept(pair, 0, dt);
 

@@ -9,6 +9,8 @@
 
 #include <tamias2d/model/clamps.hpp>
 
+#include <vector>
+
 namespace tamias2d::inline TAMIAS_PRECISION {
 
 /// The acceleration a body is expected to have: forces, damping and steady contacts.   [m/s^2]
@@ -25,13 +27,33 @@ Position originOf(const Motion& a, const Motion& b);
 SweptPair sweptPairOf(const Contact& contact, const ShapeTable& shapes, const Motion& a, const Motion& b,
                       real invH);
 
+/// The ways of bodies within one span of time, from 0 on: each is reckoned once for all pairs of its body.
+class ExpectedPaths {
+public:
+    /// Forgets all; from here on paths are those until `end`.
+    void begin(std::size_t rows, real end, real invH);
+    /// Both ways of a pair, as sweptPairOf.
+    SweptPair pairOf(const Contact& contact, const ShapeTable& shapes, const MotionTable& motions);
+
+private:
+    struct Row {
+        std::uint64_t span = 0;   // of which the path is
+        Trajectory path;          // but for its position
+    };
+    std::vector<Row> rows_;
+    std::uint64_t span_ = 0;
+    real end_ = 0, invH_ = 0;
+
+    const Trajectory& pathOf(std::uint32_t row, const Motion& m);
+};
+
 /// Takes over a manifold; points that were there before keep their impulses, known by their feature
 /// or, failing that, by the nearest anchor.
 void adoptManifold(Contact& contact, const SweptResult& result, real matchDistance);
 
-/// The manifold of the whole step, from 0 to dt. Pairs that may still meet in another way are
-/// flagged `swept`: they are looked at again in every tick.
+/// The manifold of the whole step, from 0 to dt, which `paths` must be for. Pairs that may still meet in
+/// another way are flagged `swept`: they are looked at again in every tick.
 void updateForStep(Contact& contact, const ShapeTable& shapes, const MotionTable& motions,
-                   const StepContext& context, ClampCounts& clamps);
+                   const StepContext& context, ExpectedPaths& paths, ClampCounts& clamps);
 
 }  // namespace tamias2d::inline TAMIAS_PRECISION

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <tamias2d/base/config.hpp>
+#include <tamias2d/math/vec2.hpp>
 
 #include <cstdint>
 #include <type_traits>
@@ -38,10 +38,7 @@ struct Lane {
 
     Lane() : v{} {}
     explicit Lane(Vector vector) : v(vector) {}
-    Lane(real all) : v{}
-    {
-        for (int i = 0; i < W; ++i) v[i] = all;
-    }
+    Lane(real all) : v(all - Vector{}) {}  // one broadcast; x - 0 is x for every x, -0 included
 
     friend Lane operator+(Lane a, Lane b) { return Lane(a.v + b.v); }
     friend Lane operator-(Lane a, Lane b) { return Lane(a.v - b.v); }
@@ -82,6 +79,11 @@ inline bool any(bool mask)
 
 // As those of scalar.hpp, lane by lane.
 template <int W>
+Lane<W> minimum(Lane<W> a, Lane<W> b)
+{
+    return select(a < b, a, b);
+}
+template <int W>
 Lane<W> maximum(Lane<W> a, Lane<W> b)
 {
     return select(a > b, a, b);
@@ -99,6 +101,36 @@ Lane<W> clamp(Lane<W> a, Lane<W> low, Lane<W> high)
 
 /// Lanes that SSE2, NEON and the SIMD of wasm have: 16 bytes.
 inline constexpr int kLanes = 16 / sizeof(real);
+
+/// The reals from `from` on.
+template <int W = kLanes>
+Lane<W> loadLane(const real* from)
+{
+    Lane<W> lane;
+    __builtin_memcpy(&lane.v, from, sizeof lane.v);
+    return lane;
+}
+template <int W>
+void storeLane(Lane<W> lane, real* to)
+{
+    __builtin_memcpy(to, &lane.v, sizeof lane.v);
+}
+
+/// The vectors from `from` on, x and y apart.
+template <int W>
+BasicVec2<Lane<W>> loadVectors(const Vec2* from)
+{
+    typename Lane<W>::Vector low, high;
+    const auto* bytes = reinterpret_cast<const unsigned char*>(from);
+    __builtin_memcpy(&low, bytes, sizeof low);
+    __builtin_memcpy(&high, bytes + sizeof low, sizeof high);
+    if constexpr (W == 4)
+        return {Lane<W>(__builtin_shufflevector(low, high, 0, 2, 4, 6)),
+                Lane<W>(__builtin_shufflevector(low, high, 1, 3, 5, 7))};
+    else
+        return {Lane<W>(__builtin_shufflevector(low, high, 0, 2)),
+                Lane<W>(__builtin_shufflevector(low, high, 1, 3))};
+}
 
 /// Four reals that are read and written together: three of a body and one that means nothing.
 struct alignas(16) LaneRow {

@@ -61,6 +61,10 @@ Convex makeConvex(const Geometry& geometry, Vec2 offset, Rot rotation, Vec2 cent
         const real invLength = 1 / length(edge);
         shape.normals[i] = {invLength * edge.y, -invLength * edge.x};
     }
+    for (std::size_t i = static_cast<std::size_t>(shape.count); i < kMaxPolygonVertices; ++i) {
+        shape.vertices[i] = shape.vertices[i - 1];
+        shape.normals[i] = shape.normals[i - 1];
+    }
     shape.extent += shape.radius;
     shape.size = smallestWidth(shape);
     return shape;
@@ -68,8 +72,14 @@ Convex makeConvex(const Geometry& geometry, Vec2 offset, Rot rotation, Vec2 cent
 
 PlacedCore::PlacedCore(const Convex& shape, const Pose& pose) : count(shape.count)
 {
-    for (int i = 0; i < count; ++i) vertices[i] = pose.p + rotate(pose.q, shape.vertices[i]);
-    for (int i = 0; i < shape.faces(); ++i) normals[i] = rotate(pose.q, shape.normals[i]);
+    const Lanes c(pose.q.c), s(pose.q.s);
+    const BasicVec2<Lanes> p{pose.p.x, pose.p.y};
+    const auto turned = [c, s](const Vec2* vectors) {
+        const BasicVec2<Lanes> v = loadVectors<kLanes>(vectors);
+        return BasicVec2<Lanes>{c * v.x - s * v.y, s * v.x + c * v.y};
+    };
+    for (int i = 0; i < count; i += kLanes) vertices.setLanes(i, p + turned(shape.vertices.data() + i));
+    for (int i = 0; i < shape.faces(); i += kLanes) normals.setLanes(i, turned(shape.normals.data() + i));
 }
 
 }  // namespace tamias2d::inline TAMIAS_PRECISION

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "math/lane.hpp"
+
 #include <tamias2d/geometry/shapes.hpp>
 #include <tamias2d/math/transform.hpp>
 
@@ -15,6 +17,7 @@ struct Convex {
     real radius = 0;   ///< [m]
     real extent = 0;   ///< farthest point from the frame's origin           [m]
     real size = 0;     ///< smallest width: the rest gap is a part of it     [m]
+    // Both are filled up with copies of the last one: lanes read on beyond the count.
     std::array<Vec2, kMaxPolygonVertices> vertices;  ///< counter-clockwise, about the center of mass   [m]
     std::array<Vec2, kMaxPolygonVertices> normals;   ///< of the face from vertex i to i + 1, outwards
 
@@ -30,24 +33,32 @@ struct Pose {
     Rot q;
 };
 
-/// Room for as many vectors as a polygon may have, of which only those in use are ever written.
-class VertexRoom {
+using Lanes = Lane<kLanes>;
+
+/// Room for as many vectors as a polygon may have, x and y apart for lanes. Only those in use are ever
+/// written, and copies of the last one up to whole lanes.
+class VectorRoom {
 public:
-    VertexRoom() noexcept {}  // leaves the room as it is: zeros would cost more than the placing
-    Vec2& operator[](int i) { return vectors_[i]; }
-    const Vec2& operator[](int i) const { return vectors_[i]; }
+    VectorRoom() noexcept {}  // leaves the room as it is: zeros would cost more than the placing
+    Vec2 operator[](int i) const { return {x_[i], y_[i]}; }
+
+    /// Those from `i` on, as many as there are lanes.
+    BasicVec2<Lanes> lanes(int i) const { return {loadLane(x_ + i), loadLane(y_ + i)}; }
+    void setLanes(int i, BasicVec2<Lanes> v)
+    {
+        storeLane(v.x, x_ + i);
+        storeLane(v.y, y_ + i);
+    }
 
 private:
-    union {
-        Vec2 vectors_[kMaxPolygonVertices];
-    };
+    real x_[kMaxPolygonVertices], y_[kMaxPolygonVertices];
 };
 
 /// A core in the coordinates of that origin.
 struct PlacedCore {
     int count;
-    VertexRoom vertices;
-    VertexRoom normals;
+    VectorRoom vertices;
+    VectorRoom normals;
 
     PlacedCore(const Convex& shape, const Pose& pose);
     int faces() const { return count > 1 ? count : 0; }

@@ -16,8 +16,11 @@ struct ClipEnd {
 int incidentEdge(const PlacedCore& core, Vec2 normal)
 {
     int best = 0;
-    for (int i = 1; i < core.faces(); ++i)
-        if (dot(normal, core.normals[i]) < dot(normal, core.normals[best])) best = i;
+    real least = dot(normal, core.normals[0]);
+    for (int i = 1; i < core.faces(); ++i) {
+        const real along = dot(normal, core.normals[i]);
+        if (along < least) least = along, best = i;
+    }
     return best;
 }
 
@@ -29,13 +32,10 @@ std::uint32_t featureOf(const ClipEnd& end, bool faceOnA, int face)
 
 }  // namespace
 
-bool faceManifold(const Convex& a, const Pose& poseA, const Convex& b, const Pose& poseB, bool faceOnA,
-                  int face, bool force, Manifold& manifold)
+bool faceManifold(const PlacedPair& pair, bool faceOnA, int face, bool force, Manifold& manifold)
 {
-    const Pose& referencePose = faceOnA ? poseA : poseB;
-    const Pose& incidentPose = faceOnA ? poseB : poseA;
-    const PlacedCore reference(faceOnA ? a : b, referencePose);
-    const PlacedCore incident(faceOnA ? b : a, incidentPose);
+    const PlacedCore& reference = faceOnA ? pair.coreA : pair.coreB;
+    const PlacedCore& incident = faceOnA ? pair.coreB : pair.coreA;
 
     const Vec2 n = reference.normals[face];
     const Vec2 origin = reference.vertices[face];
@@ -81,8 +81,8 @@ bool faceManifold(const Convex& a, const Pose& poseA, const Convex& b, const Pos
         const Vec2 onA = faceOnA ? onFace : end.point;
         const Vec2 onB = faceOnA ? end.point : onFace;
         ManifoldPoint& point = manifold.points[i];
-        point.localA = inverseRotate(poseA.q, onA - poseA.p);
-        point.localB = inverseRotate(poseB.q, onB - poseB.p);
+        point.localA = inverseRotate(pair.poseA.q, onA - pair.poseA.p);
+        point.localB = inverseRotate(pair.poseB.q, onB - pair.poseB.p);
         point.cornerOnA = faceOnA == (end.clippedAt != 0);
         point.roundOnRound = false;
         point.feature = featureOf(end, faceOnA, face);
@@ -90,15 +90,16 @@ bool faceManifold(const Convex& a, const Pose& poseA, const Convex& b, const Pos
     return true;
 }
 
-Separation coreSeparation(const Convex& a, const Pose& poseA, const Convex& b, const Pose& poseB,
-                          real preference)
+Separation coreSeparation(const PlacedPair& pair, real preference)
 {
-    return coreSeparation(PlacedCore(a, poseA), PlacedCore(b, poseB), isSharpPair(a, b), preference);
+    return isSharpPair(pair.a, pair.b) ? separationByFaces(pair.cores, preference)
+                                       : exactSeparation(pair.cores, preference);
 }
 
-Separation coreSeparation(const PlacedCore& a, const PlacedCore& b, bool sharp, real preference)
+real coreDistance(const PlacedPair& pair)
 {
-    return sharp ? separationByFaces(a, b, preference) : exactSeparation(a, b, preference);
+    return isSharpPair(pair.a, pair.b) ? distanceByFaces(pair.cores)
+                                       : exactSeparation(pair.cores, 0).distance;
 }
 
 bool isSharpPair(const Convex& a, const Convex& b)
@@ -110,19 +111,19 @@ namespace {
 
 // Where two roundings meet end to end and lie nearly along each other, one point would let them rock into
 // each other at the far end within a step: that end is the second point.
-void addFarEnd(const Convex& a, const Pose& poseA, const Convex& b, const Pose& poseB, Manifold& manifold)
+void addFarEnd(const PlacedPair& pair, Manifold& manifold)
 {
     constexpr real kAlong = real(0.98);   // cosine: 11 degrees
-    if (a.faces() == 0 || b.faces() == 0) return;
+    const PlacedCore &coreA = pair.coreA, &coreB = pair.coreB;
+    if (coreA.faces() == 0 || coreB.faces() == 0) return;
     const Vec2 n = manifold.normal;
-    const PlacedCore coreA(a, poseA), coreB(b, poseB);
     const int faceA = incidentEdge(coreA, -n), faceB = incidentEdge(coreB, n);
     const real alongA = dot(coreA.normals[faceA], n), alongB = -dot(coreB.normals[faceB], n);
     if (!(minimum(alongA, alongB) > kAlong)) return;
 
     Manifold ends;
     const bool onA = alongA >= alongB;
-    if (!faceManifold(a, poseA, b, poseB, onA, onA ? faceA : faceB, false, ends) || ends.count < 2) return;
+    if (!faceManifold(pair, onA, onA ? faceA : faceB, false, ends) || ends.count < 2) return;
     ManifoldPoint& near = manifold.points[0];
     const auto distance = [&](const ManifoldPoint& p) { return length(p.localA - near.localA); };
     manifold.points[1] = ends.points[distance(ends.points[0]) > distance(ends.points[1]) ? 0 : 1];
@@ -132,15 +133,15 @@ void addFarEnd(const Convex& a, const Pose& poseA, const Convex& b, const Pose& 
 
 }  // namespace
 
-void closestManifold(const Convex& a, const Pose& poseA, const Convex& b, const Pose& poseB, real preference,
-                     Manifold& manifold)
+void closestManifold(const PlacedPair& pair, real preference, Manifold& manifold)
 {
-    const Separation nearest = coreSeparation(a, poseA, b, poseB, preference);
+    const Separation nearest = coreSeparation(pair, preference);
     const bool onA = nearest.kind == Separation::Kind::FaceA;
     if (nearest.kind != Separation::Kind::Vertices) {
-        faceManifold(a, poseA, b, poseB, onA, onA ? nearest.featureA : nearest.featureB, true, manifold);
+        faceManifold(pair, onA, onA ? nearest.featureA : nearest.featureB, true, manifold);
         return;
     }
+    const Convex &a = pair.a, &b = pair.b;
     manifold.normal = nearest.normal;
     manifold.count = 1;
     ManifoldPoint& point = manifold.points[0];
@@ -149,7 +150,7 @@ void closestManifold(const Convex& a, const Pose& poseA, const Convex& b, const 
     point.cornerOnA = a.radius > b.radius;  // on the rounder one: its turning must not lever on the other
     point.roundOnRound = a.radius + b.radius > 0;
     point.feature = static_cast<std::uint32_t>(nearest.featureA | (nearest.featureB << 4) | (1 << 12));
-    if (point.roundOnRound) addFarEnd(a, poseA, b, poseB, manifold);
+    if (point.roundOnRound) addFarEnd(pair, manifold);
 }
 
 }  // namespace tamias2d::inline TAMIAS_PRECISION

@@ -24,20 +24,34 @@ struct Manifold {
     bool atImpact = false;      ///< taken where a swept pair meets
 };
 
+/// Two shapes placed at one moment: all that a manifold is made of.
+struct PlacedPair {
+    const Convex &a, &b;
+    Pose poseA, poseB;
+    PlacedCore coreA, coreB;
+    FacedCores cores;
+
+    PlacedPair(const Convex& shapeA, const Pose& atA, const Convex& shapeB, const Pose& atB)
+        : a(shapeA), b(shapeB), poseA(atA), poseB(atB), coreA(shapeA, atA), coreB(shapeB, atB),
+          cores(coreA, coreB)
+    {
+    }
+    PlacedPair(const PlacedPair&) = delete;  // `cores` refers to what stands here
+};
+
 /// The manifold of a reference face and the edge that faces it, clipped. False if that edge lies
 /// beyond the ends of the face; with `force` it then has the one point nearest to it.
-bool faceManifold(const Convex& a, const Pose& poseA, const Convex& b, const Pose& poseB, bool faceOnA,
-                  int face, bool force, Manifold& manifold);
+bool faceManifold(const PlacedPair& pair, bool faceOnA, int face, bool force, Manifold& manifold);
 
 /// The manifold of the closest features, at one pose.
-void closestManifold(const Convex& a, const Pose& poseA, const Convex& b, const Pose& poseB, real preference,
-                     Manifold& manifold);
+void closestManifold(const PlacedPair& pair, real preference, Manifold& manifold);
 
 /// The separation that suits the pair: by faces for sharp polygons, exact for rounded shapes.
 /// Radii are not subtracted.
-Separation coreSeparation(const Convex& a, const Pose& poseA, const Convex& b, const Pose& poseB,
-                          real preference);
-Separation coreSeparation(const PlacedCore& a, const PlacedCore& b, bool sharp, real preference);
+Separation coreSeparation(const PlacedPair& pair, real preference);
+
+/// Its distance alone, with no preference.   [m]
+real coreDistance(const PlacedPair& pair);
 
 /// Are both sharp, and not both lines? Then faces alone tell how far apart they are.
 bool isSharpPair(const Convex& a, const Convex& b);

@@ -5,35 +5,45 @@
 
 namespace tamias2d::inline TAMIAS_PRECISION {
 
-real faceDistance(const PlacedCore& core, int i, const PlacedCore& other)
+FaceDistances::FaceDistances(const PlacedCore& core, const PlacedCore& other)
 {
-    const Vec2 n = core.normals[i];
-    const Vec2 origin = core.vertices[i];
-    real least = std::numeric_limits<real>::max();
-    for (int k = 0; k < other.count; ++k) least = minimum(least, dot(n, other.vertices[k] - origin));
-    return least;
+    for (int i = 0; i < core.faces(); i += kLanes) {
+        const BasicVec2<Lanes> n = core.normals.lanes(i), origin = core.vertices.lanes(i);
+        Lanes least(std::numeric_limits<real>::max());
+        for (int k = 0; k < other.count; ++k) {
+            const BasicVec2<Lanes> vertex{other.vertices[k].x, other.vertices[k].y};
+            least = minimum(least, dot(n, vertex - origin));
+        }
+        storeLane(least, distances_ + i);
+    }
 }
 
-FaceQuery bestFace(const PlacedCore& a, const PlacedCore& b, real preference)
+FaceQuery bestFace(const FacedCores& cores, real preference)
 {
     FaceQuery best{-std::numeric_limits<real>::max(), true, 0};
-    for (int i = 0; i < a.faces(); ++i) {
-        const real distance = faceDistance(a, i, b);
-        if (distance > best.distance) best = {distance, true, i};
-    }
-    for (int i = 0; i < b.faces(); ++i) {
-        const real distance = faceDistance(b, i, a);
-        if (distance > best.distance + (best.onA && a.faces() > 0 ? preference : real(0)))
-            best = {distance, false, i};
+    for (int i = 0; i < cores.a.faces(); ++i)
+        if (cores.fromA[i] > best.distance) best = {cores.fromA[i], true, i};
+    for (int i = 0; i < cores.b.faces(); ++i) {
+        const bool handicap = best.onA && cores.a.faces() > 0;
+        if (cores.fromB[i] > best.distance + (handicap ? preference : real(0)))
+            best = {cores.fromB[i], false, i};
     }
     return best;
 }
 
-Separation separationByFaces(const PlacedCore& a, const PlacedCore& b, real preference)
+real distanceByFaces(const FacedCores& cores)
 {
-    const FaceQuery best = bestFace(a, b, preference);
-    if (best.onA) return {best.distance, a.normals[best.face], Separation::Kind::FaceA, best.face, 0};
-    return {best.distance, -b.normals[best.face], Separation::Kind::FaceB, 0, best.face};
+    real greatest = -std::numeric_limits<real>::max();
+    for (int i = 0; i < cores.a.faces(); ++i) greatest = maximum(cores.fromA[i], greatest);
+    for (int i = 0; i < cores.b.faces(); ++i) greatest = maximum(cores.fromB[i], greatest);
+    return greatest;
+}
+
+Separation separationByFaces(const FacedCores& cores, real preference)
+{
+    const FaceQuery best = bestFace(cores, preference);
+    if (best.onA) return {best.distance, cores.a.normals[best.face], Separation::Kind::FaceA, best.face, 0};
+    return {best.distance, -cores.b.normals[best.face], Separation::Kind::FaceB, 0, best.face};
 }
 
 namespace {
@@ -107,11 +117,12 @@ bool isApartAlong(const PlacedCore& line, const PlacedCore& other)
 
 }  // namespace
 
-Separation exactSeparation(const PlacedCore& a, const PlacedCore& b, real preference)
+Separation exactSeparation(const FacedCores& cores, real preference)
 {
+    const PlacedCore &a = cores.a, &b = cores.b;
     if (a.faces() == 0 && b.faces() == 0) return closestFeatures(a, b);
 
-    const Separation byFace = separationByFaces(a, b, preference);
+    const Separation byFace = separationByFaces(cores, preference);
     const bool linesApart = a.count == 2 && b.count == 2 && (isApartAlong(a, b) || isApartAlong(b, a));
     if (byFace.distance < 0 && !linesApart) return byFace;
 

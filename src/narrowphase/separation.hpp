@@ -12,13 +12,32 @@ struct FaceQuery {
     int face;
 };
 
-/// min over the vertices of `other` of their distance in front of face `i` of `core`.
-real faceDistance(const PlacedCore& core, int i, const PlacedCore& other);
+/// By face of `core`: the least distance of the vertices of `other` in front of it.   [m]
+class FaceDistances {
+public:
+    FaceDistances(const PlacedCore& core, const PlacedCore& other);
+    real operator[](int face) const { return distances_[face]; }
+    Lanes lanes(int face) const { return loadLane(distances_ + face); }
+
+private:
+    real distances_[kMaxPolygonVertices];  // only those of faces are ever written
+};
+
+/// Two placed cores, and the distances of each from the faces of the other.
+struct FacedCores {
+    const PlacedCore &a, &b;
+    FaceDistances fromA, fromB;
+
+    FacedCores(const PlacedCore& coreA, const PlacedCore& coreB)
+        : a(coreA), b(coreB), fromA(coreA, coreB), fromB(coreB, coreA)
+    {
+    }
+};
 
 /// The face that separates the cores best (separating axis test). A face of B must beat those of A
 /// by `preference`, so that rounding does not flip the choice between equals.
 /// Only for pairs where at least one core has faces.
-FaceQuery bestFace(const PlacedCore& a, const PlacedCore& b, real preference);
+FaceQuery bestFace(const FacedCores& cores, real preference);
 
 /// The closest features of two cores.
 struct Separation {
@@ -30,9 +49,12 @@ struct Separation {
 
 /// Separation by faces alone: never more than the true distance, and less only where two corners
 /// face each other. Enough for sharp polygons.
-Separation separationByFaces(const PlacedCore& a, const PlacedCore& b, real preference);
+Separation separationByFaces(const FacedCores& cores, real preference);
+
+/// Its distance alone, with no preference.   [m]
+real distanceByFaces(const FacedCores& cores);
 
 /// The true distance, corners included: what rounded shapes need.
-Separation exactSeparation(const PlacedCore& a, const PlacedCore& b, real preference);
+Separation exactSeparation(const FacedCores& cores, real preference);
 
 }  // namespace tamias2d::inline TAMIAS_PRECISION

@@ -10,24 +10,35 @@
 
 namespace tamias2d::inline TAMIAS_PRECISION {
 
+void Trajectory::lookAhead(real t)
+{
+    ahead = at(t).q;
+    aheadTime = t;
+}
+
 Pose Trajectory::at(real t) const
 {
+    if (t == aheadTime && t > 0) return {positionAt(t), ahead};
     const real turn = turnBy(t);
     return {positionAt(t), turn == 0 ? rotation : Rot::ofAngle(angle + static_cast<double>(turn))};
 }
 
 namespace {
 
+PlacedPair placedAt(const SweptPair& pair, real t)
+{
+    return {pair.a, pair.pathA.at(t), pair.b, pair.pathB.at(t)};
+}
+
 // All that the stages below share about one sweep.
 struct Sweep {
     const SweptPair& pair;
     real from, to;
-    Pose a0, b0, a1, b1;       // poses at the start and at the end
-    PlacedCore coreA0, coreB0, coreA1, coreB1;
+    PlacedPair atStart, atEnd;
     real radii;                // of rounding, both
     real admit;                // gaps up to here get a manifold
     real deep;                 // overlap from here on counts as one
-    Separation start, end;     // gaps, radii subtracted
+    real startGap, endGap;     // between the surfaces
     Vec2 slide;                // relative displacement of the centers
     real turnA, turnB;         // [rad], absolute
     real travel;               // bound on the motion of any point of the one against the other
@@ -36,11 +47,11 @@ struct Sweep {
     bool sharp;                // two sharp polygons: separation by faces
 
     Sweep(const SweptPair& p, real t0, real t1)
-        : pair(p), from(t0), to(t1), a0(p.pathA.at(t0)), b0(p.pathB.at(t0)), a1(p.pathA.at(t1)),
-          b1(p.pathB.at(t1)), coreA0(p.a, a0), coreB0(p.b, b0), coreA1(p.a, a1), coreB1(p.b, b1),
-          radii(p.a.radius + p.b.radius), admit(3 * p.restGap), deep(-p.restGap / 2),
-          start(separation(coreA0, coreB0)), end(separation(coreA1, coreB1)),
-          slide((b1.p - a1.p) - (b0.p - a0.p)), turnA(absolute(p.pathA.turnBy(t1) - p.pathA.turnBy(t0))),
+        : pair(p), from(t0), to(t1), atStart(p.a, p.pathA.at(t0), p.b, p.pathB.at(t0)),
+          atEnd(p.a, p.pathA.at(t1), p.b, p.pathB.at(t1)), radii(p.a.radius + p.b.radius),
+          admit(3 * p.restGap), deep(-p.restGap / 2), startGap(gap(atStart)), endGap(gap(atEnd)),
+          slide((atEnd.poseB.p - atEnd.poseA.p) - (atStart.poseB.p - atStart.poseA.p)),
+          turnA(absolute(p.pathA.turnBy(t1) - p.pathA.turnBy(t0))),
           turnB(absolute(p.pathB.turnBy(t1) - p.pathB.turnBy(t0))),
           travel(length(slide) + turnA * p.a.extent + turnB * p.b.extent),
           sagitta((p.a.faces() > 0 ? turnA * turnA / 8 * p.a.extent : 0) +
@@ -51,41 +62,39 @@ struct Sweep {
 
     real preference() const { return real(0.1) * pair.restGap; }
 
-    Separation separation(const PlacedCore& a, const PlacedCore& b) const
+    real gap(const PlacedPair& placed) const { return coreDistance(placed) - radii; }
+    Separation separation(const PlacedPair& placed) const
     {
-        Separation s = coreSeparation(a, b, isSharpPair(pair.a, pair.b), 0);
+        Separation s = coreSeparation(placed, 0);
         s.distance -= radii;
         return s;
     }
-    Separation separationAt(real t) const
-    {
-        return separation(PlacedCore(pair.a, pair.pathA.at(t)), PlacedCore(pair.b, pair.pathB.at(t)));
-    }
+    real gapAt(real t) const { return gap(placedAt(pair, t)); }
+    Separation separationAt(real t) const { return separation(placedAt(pair, t)); }
     real timeAt(real part) const { return from + part * (to - from); }
 
-    SweptResult closest(const Pose& poseA, const Pose& poseB) const
+    SweptResult closest(const PlacedPair& placed) const
     {
         SweptResult result;
-        closestManifold(pair.a, poseA, pair.b, poseB, preference(), result.manifold);
+        closestManifold(placed, preference(), result.manifold);
         result.near = true;
         result.manifold.time = from;
         return result;
     }
-    SweptResult closestAtStart() const { return closest(a0, b0); }
-    SweptResult closestAtEnd() const { return closest(a1, b1); }
+    SweptResult closestAtStart() const { return closest(atStart); }
+    SweptResult closestAtEnd() const { return closest(atEnd); }
 
     SweptResult impactAt(real t) const
     {
-        SweptResult result = closest(pair.pathA.at(t), pair.pathB.at(t));
+        SweptResult result = closest(placedAt(pair, t));
         result.manifold.time = t;
         result.manifold.atImpact = true;
         return result;
     }
 
-    bool byFace(bool atEnd, const FaceQuery& axis, bool force, SweptResult& result) const
+    bool byFace(bool whichEnd, const FaceQuery& axis, bool force, SweptResult& result) const
     {
-        result.near = faceManifold(pair.a, atEnd ? a1 : a0, pair.b, atEnd ? b1 : b0, axis.onA, axis.face,
-                                   force, result.manifold);
+        result.near = faceManifold(whichEnd ? atEnd : atStart, axis.onA, axis.face, force, result.manifold);
         result.manifold.time = from;
         return result.near;
     }
@@ -96,27 +105,42 @@ struct Sweep {
 // shape slides past.
 struct SweptFace {
     FaceQuery axis;
-    real score;
     bool smallerAtEnd;
+};
+
+// By face of one core: its distance over the sweep, and what it is worth.
+struct FaceScores {
+    real least[kMaxPolygonVertices], score[kMaxPolygonVertices];   // only those of faces are ever written
+
+    FaceScores(const Sweep& s, const PlacedCore& core, const FaceDistances& first, const FaceDistances& last)
+    {
+        const BasicVec2<Lanes> slide{s.slide.x, s.slide.y};
+        const Lanes radii(s.radii), deep(s.deep), restGap(s.pair.restGap);
+        for (int i = 0; i < core.faces(); i += kLanes) {
+            const Lanes nearest = minimum(first.lanes(i), last.lanes(i)) - radii;
+            const Lanes along = minimum(absolute(dot(core.normals.lanes(i), slide)), restGap);
+            storeLane(nearest, least + i);
+            storeLane(select(nearest > deep, nearest - along, nearest), score + i);
+        }
+    }
 };
 
 SweptFace bestFaceOverSweep(const Sweep& s)
 {
-    const PlacedCore &a0 = s.coreA0, &a1 = s.coreA1, &b0 = s.coreB0, &b1 = s.coreB1;
-    SweptFace best{{-std::numeric_limits<real>::max(), true, 0}, -std::numeric_limits<real>::max(), false};
-    const auto consider = [&](bool onA, int face, Vec2 normal, real first, real last) {
-        const real least = minimum(first, last) - s.radii;
-        const real score =
-            least > s.deep ? least - minimum(absolute(dot(normal, s.slide)), s.pair.restGap) : least;
-        const bool handicap = !onA && best.axis.onA && a0.faces() > 0;
-        if (score > best.score + (handicap ? s.preference() : real(0)))
-            best = {{least, onA, face}, score, last <= first + s.preference()};
-    };
-    for (int i = 0; i < a0.faces(); ++i)
-        consider(true, i, a0.normals[i], faceDistance(a0, i, b0), faceDistance(a1, i, b1));
-    for (int i = 0; i < b0.faces(); ++i)
-        consider(false, i, b0.normals[i], faceDistance(b0, i, a0), faceDistance(b1, i, a1));
-    return best;
+    const FacedCores &first = s.atStart.cores, &last = s.atEnd.cores;
+    const FaceScores fromA(s, first.a, first.fromA, last.fromA), fromB(s, first.b, first.fromB, last.fromB);
+    FaceQuery best{-std::numeric_limits<real>::max(), true, 0};   // by score
+    for (int i = 0; i < first.a.faces(); ++i)
+        if (fromA.score[i] > best.distance) best = {fromA.score[i], true, i};
+    for (int i = 0; i < first.b.faces(); ++i) {
+        const bool handicap = best.onA && first.a.faces() > 0;
+        if (fromB.score[i] > best.distance + (handicap ? s.preference() : real(0)))
+            best = {fromB.score[i], false, i};
+    }
+    best.distance = (best.onA ? fromA : fromB).least[best.face];
+    const real atStart = (best.onA ? first.fromA : first.fromB)[best.face];
+    const real atEnd = (best.onA ? last.fromA : last.fromB)[best.face];
+    return {best, atEnd <= atStart + s.preference()};
 }
 
 // A face keeps the two apart all the way: a support manifold, or nothing. Returns true if settled.
@@ -133,7 +157,7 @@ bool settledByFace(const Sweep& s, const SweptFace& best, SweptResult& result)
 // Sharp polygons that overlap at the start, or nearly and no worse later.
 bool settledByOverlap(const Sweep& s, const SweptFace& best, SweptResult& result)
 {
-    const real gap = s.start.distance;
+    const real gap = s.startGap;
     const bool grazing = gap < s.pair.restGap && best.axis.distance > 8 * s.deep && !s.turning;
     if (gap >= s.deep && !grazing) return false;
     if (s.sagitta >= s.pair.restGap) {
@@ -149,17 +173,17 @@ bool settledByOverlap(const Sweep& s, const SweptFace& best, SweptResult& result
 // end unless the motion turns from approach to departure in between.
 bool settledByConvexity(const Sweep& s, SweptResult& result)
 {
-    const real first = s.start.distance, last = s.end.distance;
+    const real first = s.startGap, last = s.endGap;
     if (first < s.deep) {
         result = last < first && last > 8 * s.deep ? s.closestAtEnd() : s.closestAtStart();
         return true;
     }
     if (last <= s.deep || s.turning) return false;
-    if (dot(s.start.normal, s.slide) >= 0) {
+    if (dot(s.separation(s.atStart).normal, s.slide) >= 0) {
         if (first <= s.admit) result = s.closestAtStart();
         return true;
     }
-    if (dot(s.end.normal, s.slide) <= 0) {
+    if (dot(s.separation(s.atEnd).normal, s.slide) <= 0) {
         if (last <= s.admit) result = s.closestAtEnd();
         return true;
     }
@@ -174,9 +198,9 @@ bool closesAtStart(const Sweep& s, const Manifold& manifold)
     const Vec2 vB = pathB.velocity + s.from * pathB.acceleration;
     const real spinA = pathA.spin + s.from * pathA.spinRate, spinB = pathB.spin + s.from * pathB.spinRate;
     for (int i = 0; i < manifold.count; ++i) {
-        const Vec2 rA = rotate(s.a0.q, manifold.points[i].localA);
-        const Vec2 rB = rotate(s.b0.q, manifold.points[i].localB);
-        const real gap = dot(manifold.normal, (s.b0.p + rB) - (s.a0.p + rA)) - s.radii;
+        const Vec2 rA = rotate(s.atStart.poseA.q, manifold.points[i].localA);
+        const Vec2 rB = rotate(s.atStart.poseB.q, manifold.points[i].localB);
+        const real gap = dot(manifold.normal, (s.atStart.poseB.p + rB) - (s.atStart.poseA.p + rA)) - s.radii;
         const Vec2 v = vB + cross(spinB, rB) - vA - cross(spinA, rA);
         const real slow = real(1e-3) * s.travel / (s.to - s.from);
         if (gap < real(1.5) * s.pair.restGap && dot(manifold.normal, v) < -slow) return true;
@@ -193,14 +217,14 @@ SweptResult marchFrom(const Sweep& s, real start, const SweptResult& otherwise)
     real clear = start;
     for (int k = 1; k <= marches; ++k) {
         const real part = start + (1 - start) * static_cast<real>(k) / static_cast<real>(marches);
-        if (s.separationAt(s.timeAt(part)).distance >= s.deep) {
+        if (s.gapAt(s.timeAt(part)) >= s.deep) {
             clear = part;
             continue;
         }
         real digs = part;
         for (int b = 0; b < 10; ++b) {
             const real middle = (clear + digs) / 2;
-            (s.separationAt(s.timeAt(middle)).distance < s.deep ? digs : clear) = middle;
+            (s.gapAt(s.timeAt(middle)) < s.deep ? digs : clear) = middle;
         }
         return s.impactAt(s.timeAt(clear));
     }
@@ -226,7 +250,7 @@ SweptResult advance(const Sweep& s)
     const real spinTravel = s.turnA * s.pair.a.extent + s.turnB * s.pair.b.extent;
 
     real part = 0, nearestPart = 0;
-    Separation now = s.start;
+    Separation now = s.separation(s.atStart);
     real nearest = now.distance;
     bool hit = false, exhausted = false;
     for (int iteration = 0;; ++iteration) {
@@ -260,11 +284,9 @@ SweptResult advance(const Sweep& s)
         const real t = s.timeAt(nearestPart);
         if (s.sharp) {
             SweptResult result;
-            const Pose poseA = s.pair.pathA.at(t), poseB = s.pair.pathB.at(t);
-            const FaceQuery axis =
-                bestFace(PlacedCore(s.pair.a, poseA), PlacedCore(s.pair.b, poseB), s.preference());
-            result.near =
-                faceManifold(s.pair.a, poseA, s.pair.b, poseB, axis.onA, axis.face, false, result.manifold);
+            const PlacedPair placed = placedAt(s.pair, t);
+            const FaceQuery axis = bestFace(placed.cores, s.preference());
+            result.near = faceManifold(placed, axis.onA, axis.face, false, result.manifold);
             result.manifold.time = t;
             return result;
         }
@@ -272,9 +294,9 @@ SweptResult advance(const Sweep& s)
     }
     // A round shape that only skims takes the manifold of the nearer end: at a seam that is the face
     // and not the corner.
-    const bool skims = !polygons && !s.turning && minimum(s.start.distance, s.end.distance) > s.deep &&
-                       s.end.distance < minimum(s.start.distance, s.admit) &&
-                       dot(s.end.normal, s.slide) < real(0.05) * length(s.slide);
+    const bool skims = !polygons && !s.turning && minimum(s.startGap, s.endGap) > s.deep &&
+                       s.endGap < minimum(s.startGap, s.admit) &&
+                       dot(s.separation(s.atEnd).normal, s.slide) < real(0.05) * length(s.slide);
     SweptResult result = s.impactAt(s.timeAt(part));
     if (skims) {
         const real time = result.manifold.time;
@@ -304,17 +326,19 @@ real shownGap(const Sweep& s, const Manifold& manifold, const Pose& poseA, const
 bool bendsAway(const Sweep& s, const Manifold& manifold)
 {
     if (s.turning) return true;
-    const auto hides = [&](const Separation& gap, const Pose& poseA, const Pose& poseB) {
-        return gap.distance < s.admit && shownGap(s, manifold, poseA, poseB) > gap.distance - s.deep;
+    const auto hides = [&](real gap, const Pose& poseA, const Pose& poseB) {
+        return gap < s.admit && shownGap(s, manifold, poseA, poseB) > gap - s.deep;
     };
-    if (hides(s.start, s.a0, s.b0) || hides(s.end, s.a1, s.b1)) return true;
+    if (hides(s.startGap, s.atStart.poseA, s.atStart.poseB) || hides(s.endGap, s.atEnd.poseA, s.atEnd.poseB))
+        return true;
 
     // Halfway a turning face is off the line between its ends by a fourth of turn times slide.
     const real along = absolute(cross(manifold.normal, s.slide));
     const real turn = (s.pair.a.faces() > 0 ? s.turnA : 0) + (s.pair.b.faces() > 0 ? s.turnB : 0);
     if (along * turn / 4 <= -s.deep) return false;
     const real middle = s.timeAt(real(0.5));
-    return hides(s.separationAt(middle), s.pair.pathA.at(middle), s.pair.pathB.at(middle));
+    const PlacedPair halfway = placedAt(s.pair, middle);
+    return hides(s.gap(halfway), halfway.poseA, halfway.poseB);
 }
 
 SweptResult settle(const Sweep& s)
@@ -327,7 +351,7 @@ SweptResult settle(const Sweep& s)
         if (s.sharp && settledByOverlap(s, best, result)) return result;
     }
     if (!s.sharp && settledByConvexity(s, result)) return result;
-    if (s.turning && polygons && s.start.distance <= real(1.5) * s.pair.restGap) return marchTurning(s);
+    if (s.turning && polygons && s.startGap <= real(1.5) * s.pair.restGap) return marchTurning(s);
     return advance(s);
 }
 
@@ -338,9 +362,19 @@ SweptResult collideSwept(const SweptPair& pair, real from, real to)
     const Sweep s(pair, from, to);
     // A gap can change no faster than the two move.
     SweptResult result;
-    if ((s.start.distance + s.end.distance - s.travel) / 2 <= s.admit) result = settle(s);
-    result.startGap = s.start.distance;
+    if ((s.startGap + s.endGap - s.travel) / 2 <= s.admit) result = settle(s);
+    result.startGap = s.startGap;
     result.bends = result.near && bendsAway(s, result.manifold);
+    return result;
+}
+
+SweptResult nearestAt(const SweptPair& pair, real t)
+{
+    const PlacedPair placed = placedAt(pair, t);
+    SweptResult result;
+    result.startGap = coreDistance(placed) - pair.a.radius - pair.b.radius;
+    result.near = result.startGap <= 3 * pair.restGap;
+    if (result.near) closestManifold(placed, real(0.1) * pair.restGap, result.manifold);
     return result;
 }
 
@@ -376,8 +410,7 @@ Aabb sweptBounds(const Convex& shape, const Trajectory& path, Position origin, r
 
 real gapAt(const SweptPair& pair, real t)
 {
-    const Separation s = coreSeparation(pair.a, pair.pathA.at(t), pair.b, pair.pathB.at(t), 0);
-    return s.distance - pair.a.radius - pair.b.radius;
+    return coreDistance(placedAt(pair, t)) - pair.a.radius - pair.b.radius;
 }
 
 }  // namespace tamias2d::inline TAMIAS_PRECISION

@@ -17,7 +17,11 @@ struct Trajectory {
     real spin = 0;          ///< [rad/s]
     Vec2 acceleration;      ///< [m/s^2]
     real spinRate = 0;      ///< angular acceleration              [rad/s^2]
+    real aheadTime = 0;     ///< if > 0: a time at which the rotation is known ...   [s]
+    Rot ahead;              ///< ... and is this
 
+    /// Reckons that rotation once, for all that ask later.
+    void lookAhead(real t);
     Pose at(real t) const;
     Vec2 positionAt(real t) const { return position + t * velocity + (t * t / 2) * acceleration; }
     real turnBy(real t) const { return t * spin + t * t / 2 * spinRate; }
@@ -43,6 +47,9 @@ struct SweptResult {
 /// the way if there is one (support), else the manifold of the moment they meet (impact).
 /// docs/theory/contacts.md, section 2.
 SweptResult collideSwept(const SweptPair& pair, real from, real to);
+
+/// The manifold of the closest features at one time on the way, if they are near enough for one.
+SweptResult nearestAt(const SweptPair& pair, real t);
 
 /// A box that holds the shape all the way between two times, seen from `origin`, grown by `margin`.
 Aabb sweptBounds(const Convex& shape, const Trajectory& path, Position origin, real from, real to,

@@ -67,10 +67,7 @@ FinalCounts finalize(MotionTable& motions, ContactTable& contacts, const ShapeTa
         if (c.swept) {
             const SweptPair pair = sweptPairOf(c, shapes, a, b, context.invH);
             SweptResult nearest;
-            nearest.near = c.clearance <= 3 * c.restGap && gapAt(pair, 0) <= 3 * c.restGap;
-            if (nearest.near)
-                closestManifold(pair.a, pair.pathA.at(0), pair.b, pair.pathB.at(0), real(0.1) * c.restGap,
-                                nearest.manifold);
+            if (c.clearance <= 3 * c.restGap) nearest = nearestAt(pair, 0);
             adoptManifold(c, nearest, real(0.3) * maximum(pair.a.size, pair.b.size));
         }
         prepareContact(c, a, b);

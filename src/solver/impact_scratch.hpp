@@ -2,6 +2,7 @@
 #pragma once
 
 #include "broadphase/tree.hpp"
+#include "contacts/update.hpp"
 #include "solver/flight.hpp"
 
 #include <cstdint>
@@ -56,6 +57,7 @@ private:
 
 /// What the impact stage works with; it keeps its memory from step to step.
 struct ImpactScratch {
+    ExpectedPaths paths;                     // of bodies within the tick, before any impact
     std::vector<Flight> flights;             // by row
     std::vector<real> reach;                 // by row: no point of it is faster in the tick   [m/s]
     std::vector<ImpactPoint> points;         // two for each contact

@@ -270,6 +270,8 @@ void keepClearance(Contact& c, const std::vector<Way>& ways)
 void resweepForTick(ImpactStage& stage, const std::vector<Way>& ways, const StepContext& context)
 {
     const std::vector<Motion>& rows = stage.motions.rows;
+    ExpectedPaths& paths = stage.scratch.paths;
+    paths.begin(rows.size(), context.h, context.invH);
     for (Contact& c : stage.contacts.rows) {
         if (!c.swept) continue;
         const Motion &a = rows[c.rowA], &b = rows[c.rowB];
@@ -281,7 +283,7 @@ void resweepForTick(ImpactStage& stage, const std::vector<Way>& ways, const Step
             adoptManifold(c, {}, 0);
             continue;
         }
-        const SweptPair pair = sweptPairOf(c, stage.world.shapes, a, b, context.invH);
+        const SweptPair pair = paths.pairOf(c, stage.world.shapes, stage.motions);
         const SweptResult result = collideSwept(pair, 0, context.h);
         stage.clamps.advancement += result.exhausted ? 1 : 0;
         c.clearance = result.startGap;

@@ -3,6 +3,7 @@
 
 #include "base/check.hpp"
 #include "broadphase/sweep.hpp"
+#include "contacts/update.hpp"
 #include "forces/accelerations.hpp"
 #include "model/bodies.hpp"
 #include "model/contacts.hpp"
@@ -49,6 +50,7 @@ struct World::Impl {
     std::vector<SweepBox> boxes;
     std::vector<ShapePair> pairs;
     SweepScratch sweepScratch;
+    ExpectedPaths paths;
     std::vector<ImpactRecord> impacts;
     SolverScratch solverScratch;
 

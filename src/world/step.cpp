@@ -154,8 +154,9 @@ StepReport World::Impl::step(double dt, int substeps)
     r.times.pairs = watch.lap();
 
     // How.
+    paths.begin(motions.rows.size(), static_cast<real>(dt), context.invH);
     for (Contact& contact : contacts.rows) {
-        updateForStep(contact, shapes, motions, context, r.clamps);
+        updateForStep(contact, shapes, motions, context, paths, r.clamps);
         prepareContact(contact, motions.rows[contact.rowA], motions.rows[contact.rowB]);
         r.sweptPairs += contact.swept ? 1 : 0;
     }

@@ -40,6 +40,29 @@ Wide anyNumbers(std::mt19937& random)
     return wide;
 }
 
+TEST(Lanes, AreReadAndWrittenBitForBit)
+{
+    TRACES("ADR6");
+    std::mt19937 random(2);
+    for (int trial = 0; trial < 500; ++trial) {
+        Vec2 vectors[kLanes];
+        real reals[kLanes], written[kLanes];
+        for (int i = 0; i < kLanes; ++i) {
+            const Wide any = anyNumbers(random);
+            vectors[i] = {any.v[0], any.v[1]};
+            reals[i] = any.v[0];
+        }
+        const BasicVec2<Wide> apart = loadVectors<kLanes>(vectors);
+        storeLane(loadLane(reals), written);
+        for (int i = 0; i < kLanes; ++i) {
+            EXPECT_TRUE(sameBits(apart.x.v[i], vectors[i].x)) << i;
+            EXPECT_TRUE(sameBits(apart.y.v[i], vectors[i].y)) << i;
+            EXPECT_TRUE(sameBits(written[i], reals[i])) << i;
+            EXPECT_TRUE(sameBits(Wide(reals[0]).v[i], reals[0])) << i << ": " << reals[0];
+        }
+    }
+}
+
 TEST(Lanes, ReckonAsOneRealDoes)
 {
     TRACES("ADR5", "ADR6");
@@ -51,6 +74,7 @@ TEST(Lanes, ReckonAsOneRealDoes)
                                                         {"product", a * b},
                                                         {"quotient", a / b},
                                                         {"opposite", -a},
+                                                        {"minimum", minimum(a, b)},
                                                         {"maximum", maximum(a, b)},
                                                         {"absolute", absolute(a)},
                                                         {"clamp", clamp(a, b, c)},
@@ -64,6 +88,7 @@ TEST(Lanes, ReckonAsOneRealDoes)
                                      x * y,
                                      x / y,
                                      -x,
+                                     minimum(x, y),
                                      maximum(x, y),
                                      absolute(x),
                                      clamp(x, y, z),

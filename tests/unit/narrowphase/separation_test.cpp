@@ -53,6 +53,35 @@ const Geometry kShapes[] = {Circle{{}, real(0.5)},
                             makeBox(1, 1, real(0.1)),
                             makeRegularPolygon(7, real(0.8))};
 
+// Lanes reckon with several faces and vertices at once.
+TEST(Separation, OfFacesHasTheBitsOfEachFaceAlone)
+{
+    TRACES("ADR6", "T5");
+    std::mt19937 random(2);
+    std::uniform_real_distribution<double> place(-3, 3), turn(0, kTwoPi);
+    for (int trial = 0; trial < 4000; ++trial) {
+        const int corners = 3 + static_cast<int>(random() % 14);
+        const Convex a = convexOf(makeRegularPolygon(corners, real(0.7))),
+                     b = convexOf(kShapes[random() % 6]);
+        const Pose poseA = poseAt(place(random), place(random), turn(random));
+        const Pose poseB = poseAt(place(random), place(random), turn(random));
+        const PlacedCore coreA(a, poseA), coreB(b, poseB);
+        const FaceDistances distances(coreA, coreB);
+        for (int i = 0; i < corners; ++i) {
+            const Vec2 vertex = poseA.p + rotate(poseA.q, a.vertices[static_cast<std::size_t>(i)]);
+            const Vec2 normal = rotate(poseA.q, a.normals[static_cast<std::size_t>(i)]);
+            EXPECT_EQ(coreA.vertices[i], vertex) << "trial " << trial;
+            EXPECT_EQ(coreA.normals[i], normal) << "trial " << trial;
+            real least = std::numeric_limits<real>::max();
+            for (int k = 0; k < b.count; ++k)
+                least = std::min(
+                    least,
+                    dot(normal, poseB.p + rotate(poseB.q, b.vertices[static_cast<std::size_t>(k)]) - vertex));
+            EXPECT_EQ(distances[i], least) << "trial " << trial << ", face " << i;
+        }
+    }
+}
+
 TEST(Separation, OfShapesApartIsTheDistanceOfTheirNearestPoints)
 {
     TRACES("T5", "LC1");
@@ -64,7 +93,7 @@ TEST(Separation, OfShapesApartIsTheDistanceOfTheirNearestPoints)
         const Pose poseA = poseAt(place(random), place(random), turn(random));
         const Pose poseB = poseAt(place(random), place(random), turn(random));
         const PlacedCore coreA(a, poseA), coreB(b, poseB);
-        const Separation s = exactSeparation(coreA, coreB, 0);
+        const Separation s = exactSeparation({coreA, coreB}, 0);
         if (s.distance <= 1e-3) continue;  // overlapping cores have no distance
         ++apart;
         const double expected = distanceByDefinition(coreA, coreB);
@@ -83,7 +112,7 @@ TEST(Separation, ByFacesIsNeverMoreThanTheDistance)
     for (int trial = 0; trial < 2000; ++trial) {
         const PlacedCore coreA(a, poseAt(place(random), place(random), turn(random)));
         const PlacedCore coreB(b, poseAt(place(random), place(random), turn(random)));
-        const double byFaces = separationByFaces(coreA, coreB, 0).distance;
+        const double byFaces = separationByFaces({coreA, coreB}, 0).distance;
         if (byFaces > 0) {
             EXPECT_LE(byFaces, distanceByDefinition(coreA, coreB) + kTolerance) << "trial " << trial;
         }
@@ -99,7 +128,7 @@ TEST(Separation, ChangesSignWhenTheShapesAreSwapped)
         const Convex a = convexOf(kShapes[random() % 6]), b = convexOf(kShapes[random() % 6]);
         const PlacedCore coreA(a, poseAt(place(random), place(random), turn(random)));
         const PlacedCore coreB(b, poseAt(place(random), place(random), turn(random)));
-        const Separation ab = exactSeparation(coreA, coreB, 0), ba = exactSeparation(coreB, coreA, 0);
+        const Separation ab = exactSeparation({coreA, coreB}, 0), ba = exactSeparation({coreB, coreA}, 0);
         EXPECT_NEAR(ab.distance, ba.distance, kTolerance) << "trial " << trial;
     }
 }
@@ -109,7 +138,7 @@ TEST(Separation, LinesOnOneAnothersExtensionAreApart)
     TRACES("T5");
     const Convex line = convexOf(Segment{{0, 0}, {1, 0}, 0});
     const Separation s =
-        exactSeparation(PlacedCore(line, poseAt(0, 0, 0)), PlacedCore(line, poseAt(3, 0, 0)), 0);
+        exactSeparation({PlacedCore(line, poseAt(0, 0, 0)), PlacedCore(line, poseAt(3, 0, 0))}, 0);
     EXPECT_NEAR(s.distance, 2, kTolerance);
     EXPECT_NEAR(s.normal.x, 1, kTolerance);
 }
@@ -120,7 +149,7 @@ TEST(Manifold, OfABoxOnABoxHasTheEndsOfTheSharedEdge)
     const Convex wide = convexOf(makeBox(4, 1)), small = convexOf(makeBox(1, 1));
     const Pose below = poseAt(0, 0, 0), above = poseAt(1.8, 1.001, 0);
     Manifold m;
-    closestManifold(wide, below, small, above, real(1e-4), m);
+    closestManifold({wide, below, small, above}, real(1e-4), m);
     ASSERT_EQ(m.count, 2);
     EXPECT_NEAR(m.normal.y, 1, kTolerance);
     const double x0 = static_cast<double>(m.points[0].localA.x),
@@ -134,7 +163,7 @@ TEST(Manifold, OfADiscAndACornerPointsAwayFromTheCorner)
     TRACES("LC1", "A5");
     const Convex square = convexOf(makeBox(2, 2)), disc = convexOf(Circle{{}, real(0.5)});
     Manifold m;
-    closestManifold(square, poseAt(0, 0, 0), disc, poseAt(1.4, 1.4, 0.3), real(1e-4), m);
+    closestManifold({square, poseAt(0, 0, 0), disc, poseAt(1.4, 1.4, 0.3)}, real(1e-4), m);
     ASSERT_EQ(m.count, 1);
     EXPECT_NEAR(m.normal.x, std::sqrt(0.5), kTolerance);
     EXPECT_NEAR(m.normal.y, std::sqrt(0.5), kTolerance);

@@ -29,6 +29,28 @@ const Geometry kShapes[] = {Circle{{}, real(0.3)}, Capsule{{real(-0.4), 0}, {rea
                             makeBox(1, real(0.05)), makeBox(real(0.6), real(0.6), real(0.1)),
                             makeRegularPolygon(5, real(0.5))};
 
+TEST(Swept, LookingAheadChangesNoBit)
+{
+    TRACES("ADR6");
+    std::mt19937 random(12);
+    std::uniform_real_distribution<double> any(-3, 3);
+    for (int trial = 0; trial < 1000; ++trial) {
+        Trajectory way = path(any(random), any(random), any(random), any(random), any(random),
+                              trial % 3 == 0 ? 0.0 : any(random));
+        way.spinRate = static_cast<real>(any(random));
+        const real times[] = {0, real(0.01), real(0.5), -1};
+        Pose before[4];
+        for (int i = 0; i < 4; ++i) before[i] = way.at(times[i]);
+        way.lookAhead(real(0.5));
+        for (int i = 0; i < 4; ++i) {
+            const Pose after = way.at(times[i]);
+            EXPECT_EQ(after.p, before[i].p);
+            EXPECT_EQ(after.q.c, before[i].q.c);
+            EXPECT_EQ(after.q.s, before[i].q.s);
+        }
+    }
+}
+
 // Whatever two shapes do in a step: if they overlap at any time of it, there is a manifold.
 TEST(Swept, NoPairThatMeetsIsMissed)
 {
