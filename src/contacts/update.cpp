@@ -48,32 +48,98 @@ SweptPair sweptPairOf(const Contact& contact, const ShapeTable& shapes, const Mo
 
 void ExpectedPaths::begin(std::size_t rows, real end, real invH)
 {
-    ++span_;
+    ++number_;
     rows_.resize(rows);
     end_ = end;
     invH_ = invH;
 }
 
-const Trajectory& ExpectedPaths::pathOf(std::uint32_t row, const Motion& m)
+const ExpectedPaths::Row& ExpectedPaths::rowOf(std::uint32_t row, const Motion& m, const Convex& shape)
 {
     Row& known = rows_[row];
-    if (known.span != span_) {
-        known.span = span_;
+    if (known.number != number_) {
+        known.number = number_;
         known.path = predictedPath(m, m.center, invH_);
-        known.path.lookAhead(end_);
     }
-    return known.path;
+    if (known.path.aheadTime == 0 && !shape.isDisc()) {
+        known.path.lookAhead(end_);
+        known.span = SpanOfWay(known.path, end_);
+    }
+    return known;
 }
+
+namespace {
+
+// Never -0, which would be +0 after a time of 0 on the way: lanes leave that sum out.
+Vec2 seenFrom(Position origin, const Motion& m)
+{
+    return toVec2(m.center - origin) + Vec2{0, 0};
+}
+
+}  // namespace
 
 SweptPair ExpectedPaths::pairOf(const Contact& contact, const ShapeTable& shapes, const MotionTable& motions)
 {
     const Motion &a = motions.rows[contact.rowA], &b = motions.rows[contact.rowB];
     const Position origin = originOf(a, b);
-    SweptPair pair{shapes.rows[contact.shapeA].convex, shapes.rows[contact.shapeB].convex,
-                   pathOf(contact.rowA, a), pathOf(contact.rowB, b), contact.restGap};
-    pair.pathA.position = toVec2(a.center - origin);
-    pair.pathB.position = toVec2(b.center - origin);
+    const Convex &shapeA = shapes.rows[contact.shapeA].convex, &shapeB = shapes.rows[contact.shapeB].convex;
+    SweptPair pair{shapeA, shapeB, rowOf(contact.rowA, a, shapeA).path, rowOf(contact.rowB, b, shapeB).path,
+                   contact.restGap};
+    pair.pathA.position = seenFrom(origin, a);
+    pair.pathB.position = seenFrom(origin, b);
     return pair;
+}
+
+QuadPair ExpectedPaths::quadPairOf(const Contact& contact, const ShapeTable& shapes,
+                                   const MotionTable& motions)
+{
+    const Motion &a = motions.rows[contact.rowA], &b = motions.rows[contact.rowB];
+    const Position origin = originOf(a, b);
+    const Convex &shapeA = shapes.rows[contact.shapeA].convex, &shapeB = shapes.rows[contact.shapeB].convex;
+    return {&shapeA,
+            &shapeB,
+            &rowOf(contact.rowA, a, shapeA).span,
+            &rowOf(contact.rowB, b, shapeB).span,
+            seenFrom(origin, a),
+            seenFrom(origin, b),
+            contact.restGap};
+}
+
+std::span<const SweptResult> ExpectedPaths::collide(std::span<Contact* const> contacts,
+                                                    const ShapeTable& shapes, const MotionTable& motions)
+{
+    const auto alone = [&](std::size_t i) {
+        results_[i] = collideSwept(pairOf(*contacts[i], shapes, motions), 0, end_);
+    };
+    QuadPair quads[kLanes];
+    std::size_t places[kLanes];
+    int waiting = 0;
+    const auto together = [&] {
+        SweptResult found[kLanes];
+        bool decided[kLanes];
+        collideQuads(quads, waiting, found, decided);
+        for (int k = 0; k < waiting; ++k) {
+            if (decided[k])
+                results_[places[k]] = found[k];
+            else
+                alone(places[k]);
+        }
+        waiting = 0;
+    };
+    for (std::size_t i = 0; i < contacts.size(); ++i) {
+        const Contact& c = *contacts[i];
+        if (!isQuad(shapes.rows[c.shapeA].convex) || !isQuad(shapes.rows[c.shapeB].convex)) {
+            alone(i);
+            continue;
+        }
+        quads[waiting] = quadPairOf(c, shapes, motions);
+        places[waiting] = i;
+        if (++waiting == kLanes) together();
+    }
+    // Lanes that stand half empty are slower than one pair after the other.
+    if (waiting > kLanes / 2) together();
+    for (int k = 0; k < waiting; ++k) alone(places[k]);
+    return {results_.data(), contacts.size()};
 }
 
 void adoptManifold(Contact& contact, const SweptResult& result, real matchDistance)
@@ -138,18 +204,25 @@ bool withinReach(const SweptPair& pair, real gap, real dt)
 
 }  // namespace
 
-void updateForStep(Contact& contact, const ShapeTable& shapes, const MotionTable& motions,
+void updateForStep(std::span<Contact> contacts, const ShapeTable& shapes, const MotionTable& motions,
                    const StepContext& context, ExpectedPaths& paths, ClampCounts& clamps)
 {
-    const SweptPair pair = paths.pairOf(contact, shapes, motions);
-    const real dt = static_cast<real>(context.dt);
-    const SweptResult result = collideSwept(pair, 0, dt);
+    Contact* pointers[kPairBatch];
+    for (std::size_t i = 0; i < contacts.size(); ++i) pointers[i] = &contacts[i];
+    const std::span<const SweptResult> results = paths.collide({pointers, contacts.size()}, shapes, motions);
 
-    clamps.advancement += result.exhausted ? 1 : 0;
-    adoptManifold(contact, result, real(0.3) * maximum(pair.a.size, pair.b.size));
-    const bool inactive = contact.count == 0;
-    contact.swept = contact.atImpact || result.bends || (inactive && withinReach(pair, result.startGap, dt));
-    contact.clearance = result.startGap;
+    const real dt = static_cast<real>(context.dt);
+    for (std::size_t i = 0; i < contacts.size(); ++i) {
+        Contact& contact = contacts[i];
+        const SweptResult& result = results[i];
+        const Convex &a = shapes.rows[contact.shapeA].convex, &b = shapes.rows[contact.shapeB].convex;
+        clamps.advancement += result.exhausted ? 1 : 0;
+        adoptManifold(contact, result, real(0.3) * maximum(a.size, b.size));
+        contact.swept =
+            contact.atImpact || result.bends ||
+            (contact.count == 0 && withinReach(paths.pairOf(contact, shapes, motions), result.startGap, dt));
+        contact.clearance = result.startGap;
+    }
 }
 
 }  // namespace tamias2d::inline TAMIAS_PRECISION

@@ -5,10 +5,12 @@
 #include "model/motion.hpp"
 #include "model/shapes.hpp"
 #include "model/step_context.hpp"
-#include "narrowphase/swept.hpp"
+#include "narrowphase/quads.hpp"
 
 #include <tamias2d/model/clamps.hpp>
 
+#include <array>
+#include <span>
 #include <vector>
 
 namespace tamias2d::inline TAMIAS_PRECISION {
@@ -27,6 +29,8 @@ Position originOf(const Motion& a, const Motion& b);
 SweptPair sweptPairOf(const Contact& contact, const ShapeTable& shapes, const Motion& a, const Motion& b,
                       real invH);
 
+inline constexpr std::size_t kPairBatch = 64;
+
 /// The ways of bodies within one span of time, from 0 on: each is reckoned once for all pairs of its body.
 class ExpectedPaths {
 public:
@@ -34,26 +38,35 @@ public:
     void begin(std::size_t rows, real end, real invH);
     /// Both ways of a pair, as sweptPairOf.
     SweptPair pairOf(const Contact& contact, const ShapeTable& shapes, const MotionTable& motions);
+    /// The same for a pair of two quadrilaterals, as lanes take it.
+    QuadPair quadPairOf(const Contact& contact, const ShapeTable& shapes, const MotionTable& motions);
+
+    /// How the pairs of up to kPairBatch contacts meet within the span: as collideSwept says of each, in
+    /// lanes where those can decide. Valid until the next call.
+    std::span<const SweptResult> collide(std::span<Contact* const> contacts, const ShapeTable& shapes,
+                                         const MotionTable& motions);
 
 private:
     struct Row {
-        std::uint64_t span = 0;   // of which the path is
-        Trajectory path;          // but for its position
+        SpanOfWay span;              // of a body that has a shape that is no disc
+        Trajectory path;             // but for its position
+        std::uint64_t number = 0;    // of the span that it belongs to
     };
     std::vector<Row> rows_;
-    std::uint64_t span_ = 0;
+    std::array<SweptResult, kPairBatch> results_;
+    std::uint64_t number_ = 0;
     real end_ = 0, invH_ = 0;
 
-    const Trajectory& pathOf(std::uint32_t row, const Motion& m);
+    const Row& rowOf(std::uint32_t row, const Motion& m, const Convex& shape);
 };
 
 /// Takes over a manifold; points that were there before keep their impulses, known by their feature
 /// or, failing that, by the nearest anchor.
 void adoptManifold(Contact& contact, const SweptResult& result, real matchDistance);
 
-/// The manifold of the whole step, from 0 to dt, which `paths` must be for. Pairs that may still meet in
-/// another way are flagged `swept`: they are looked at again in every tick.
-void updateForStep(Contact& contact, const ShapeTable& shapes, const MotionTable& motions,
+/// The manifolds of up to kPairBatch contacts for the whole step, from 0 to dt, which `paths` must be for.
+/// Pairs that may still meet in another way are flagged `swept`: they are looked at again in every tick.
+void updateForStep(std::span<Contact> contacts, const ShapeTable& shapes, const MotionTable& motions,
                    const StepContext& context, ExpectedPaths& paths, ClampCounts& clamps);
 
 }  // namespace tamias2d::inline TAMIAS_PRECISION

@@ -74,10 +74,7 @@ PlacedCore::PlacedCore(const Convex& shape, const Pose& pose) : count(shape.coun
 {
     const Lanes c(pose.q.c), s(pose.q.s);
     const BasicVec2<Lanes> p{pose.p.x, pose.p.y};
-    const auto turned = [c, s](const Vec2* vectors) {
-        const BasicVec2<Lanes> v = loadVectors<kLanes>(vectors);
-        return BasicVec2<Lanes>{c * v.x - s * v.y, s * v.x + c * v.y};
-    };
+    const auto turned = [c, s](const Vec2* vectors) { return rotate(c, s, loadVectors<kLanes>(vectors)); };
     for (int i = 0; i < count; i += kLanes) vertices.setLanes(i, p + turned(shape.vertices.data() + i));
     for (int i = 0; i < shape.faces(); i += kLanes) normals.setLanes(i, turned(shape.normals.data() + i));
 }

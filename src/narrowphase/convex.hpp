@@ -22,6 +22,10 @@ struct Convex {
     std::array<Vec2, kMaxPolygonVertices> normals;   ///< of the face from vertex i to i + 1, outwards
 
     int faces() const { return count > 1 ? count : 0; }
+    bool isDisc() const
+    {
+        return count == 1 && vertices[0] == Vec2{};
+    }   ///< about the origin: turning does nothing
 };
 
 /// The geometry in a frame at `center` of the body's: its own frame sits at `offset`, turned.

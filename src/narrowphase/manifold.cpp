@@ -1,16 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "narrowphase/manifold.hpp"
 
+#include "narrowphase/face_kernel.hpp"
+
 namespace tamias2d::inline TAMIAS_PRECISION {
 namespace {
-
-// An end of the incident edge on its way through the clipping.
-struct ClipEnd {
-    Vec2 point;
-    int vertex;         // of the incident core, or
-    int clippedAt = 0;  // 1 or 2: cut off at an end of the reference face
-    real along = 0;     // the reference face
-};
 
 // The edge of the incident core that faces the reference normal most squarely.
 int incidentEdge(const PlacedCore& core, Vec2 normal)
@@ -24,68 +18,42 @@ int incidentEdge(const PlacedCore& core, Vec2 normal)
     return best;
 }
 
-std::uint32_t featureOf(const ClipEnd& end, bool faceOnA, int face)
-{
-    const int corner = end.clippedAt == 0 ? end.vertex : 16 * end.clippedAt;
-    return static_cast<std::uint32_t>(corner | (faceOnA ? 0 : 64) | (face << 7));
-}
-
 }  // namespace
 
 bool faceManifold(const PlacedPair& pair, bool faceOnA, int face, bool force, Manifold& manifold)
 {
     const PlacedCore& reference = faceOnA ? pair.coreA : pair.coreB;
     const PlacedCore& incident = faceOnA ? pair.coreB : pair.coreA;
-
     const Vec2 n = reference.normals[face];
     const Vec2 origin = reference.vertices[face];
-    const Vec2 tangent = perpendicular(n);
-    const real faceLength = dot(tangent, reference.vertices[reference.next(face)] - origin);
-
-    // The incident edge runs against the reference face: `far` first.
     const int edge = incidentEdge(incident, n);
     const int edgeEnd = incident.next(edge);
-    ClipEnd far{incident.vertices[edge], edge};
-    ClipEnd near{incident.vertices[edgeEnd], edgeEnd};
-    far.along = dot(tangent, far.point - origin);
-    near.along = dot(tangent, near.point - origin);
-    if (far.along < near.along) std::swap(far, near);
+    const ClippedEdge<real> clip = clipEdge(n, origin, reference.vertices[reference.next(face)],
+                                            incident.vertices[edge], incident.vertices[edgeEnd]);
+    if (clip.beyond && !force) return false;
 
-    // Clip it to the face.
-    bool single = false;
-    if (far.along < 0 || near.along > faceLength) {
-        if (!force) return false;
-        single = true;
-        if (far.along >= 0) far = near;
-    } else {
-        const Vec2 from = far.point, along = near.point - far.point;
-        const real span = far.along - near.along;
-        const ClipEnd uncutFar = far;
-        if (far.along > faceLength && span > 0) {
-            far.point = from + ((far.along - faceLength) / span) * along;
-            far.clippedAt = 1;
-        }
-        if (near.along < 0 && span > 0) {
-            near.point = from + (uncutFar.along / span) * along;
-            near.clippedAt = 2;
-        }
-        const Vec2 d = far.point - near.point;
-        single = dot(d, d) < real(1e-12) * faceLength * faceLength;
-    }
-
+    // Its two points, or the one that is nearest to a face it lies beyond.
+    struct End {
+        Vec2 point;
+        int vertex;   // of the incident core
+        int cut;      // 1 or 2: cut off at an end of the reference face
+    };
+    const End far{clip.far, clip.swapped ? edgeEnd : edge, clip.farCut ? 1 : 0};
+    const End near{clip.near, clip.swapped ? edge : edgeEnd, clip.nearCut ? 2 : 0};
+    const End ends[2] = {clip.beyond && !clip.before ? near : far, near};
     manifold.normal = faceOnA ? n : -n;
-    manifold.count = single ? 1 : 2;
+    manifold.count = clip.single ? 1 : 2;
     for (int i = 0; i < manifold.count; ++i) {
-        const ClipEnd& end = i == 0 ? far : near;
-        const Vec2 onFace = end.point - dot(n, end.point - origin) * n;
+        const End& end = ends[i];
+        const Vec2 onFace = footOn(n, origin, end.point);
         const Vec2 onA = faceOnA ? onFace : end.point;
         const Vec2 onB = faceOnA ? end.point : onFace;
         ManifoldPoint& point = manifold.points[i];
         point.localA = inverseRotate(pair.poseA.q, onA - pair.poseA.p);
         point.localB = inverseRotate(pair.poseB.q, onB - pair.poseB.p);
-        point.cornerOnA = faceOnA == (end.clippedAt != 0);
+        point.cornerOnA = faceOnA == (end.cut != 0);
         point.roundOnRound = false;
-        point.feature = featureOf(end, faceOnA, face);
+        point.feature = featureOf(end.vertex, end.cut, faceOnA, face);
     }
     return true;
 }
@@ -135,7 +103,11 @@ void addFarEnd(const PlacedPair& pair, Manifold& manifold)
 
 void closestManifold(const PlacedPair& pair, real preference, Manifold& manifold)
 {
-    const Separation nearest = coreSeparation(pair, preference);
+    closestManifold(pair, coreSeparation(pair, preference), manifold);
+}
+
+void closestManifold(const PlacedPair& pair, const Separation& nearest, Manifold& manifold)
+{
     const bool onA = nearest.kind == Separation::Kind::FaceA;
     if (nearest.kind != Separation::Kind::Vertices) {
         faceManifold(pair, onA, onA ? nearest.featureA : nearest.featureB, true, manifold);

@@ -24,6 +24,12 @@ struct Manifold {
     bool atImpact = false;      ///< taken where a swept pair meets
 };
 
+/// The feature of a corner of the other core, or of the `cut` end of the face (1 or 2), at a face.
+inline std::uint32_t featureOf(int corner, int cut, bool faceOnA, int face)
+{
+    return static_cast<std::uint32_t>((cut == 0 ? corner : 16 * cut) | (faceOnA ? 0 : 64) | (face << 7));
+}
+
 /// Two shapes placed at one moment: all that a manifold is made of.
 struct PlacedPair {
     const Convex &a, &b;
@@ -43,8 +49,9 @@ struct PlacedPair {
 /// beyond the ends of the face; with `force` it then has the one point nearest to it.
 bool faceManifold(const PlacedPair& pair, bool faceOnA, int face, bool force, Manifold& manifold);
 
-/// The manifold of the closest features, at one pose.
+/// The manifold of the closest features, at one pose; of those at hand.
 void closestManifold(const PlacedPair& pair, real preference, Manifold& manifold);
+void closestManifold(const PlacedPair& pair, const Separation& nearest, Manifold& manifold);
 
 /// The separation that suits the pair: by faces for sharp polygons, exact for rounded shapes.
 /// Radii are not subtracted.

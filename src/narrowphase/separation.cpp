@@ -97,8 +97,12 @@ Separation closestFeatures(const PlacedCore& a, const PlacedCore& b)
 {
     real squared = std::numeric_limits<real>::max();
     Separation best{0, {0, 1}, Separation::Kind::Vertices, 0, 0};
-    closestVertexToCore(a, b, true, squared, best);
-    closestVertexToCore(b, a, false, squared, best);
+    if (a.count == 1 && b.count == 1) {
+        best.normal = b.vertices[0] - a.vertices[0];
+    } else {
+        closestVertexToCore(a, b, true, squared, best);
+        closestVertexToCore(b, a, false, squared, best);
+    }
     if (best.kind != Separation::Kind::Vertices) return best;
 
     best.distance = length(best.normal);

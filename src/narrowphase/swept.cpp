@@ -6,6 +6,8 @@
 
 #include "narrowphase/swept.hpp"
 
+#include "narrowphase/face_kernel.hpp"
+
 #include <limits>
 
 namespace tamias2d::inline TAMIAS_PRECISION {
@@ -25,9 +27,15 @@ Pose Trajectory::at(real t) const
 
 namespace {
 
+// How a disc has turned makes no difference.
+Pose poseAt(const Trajectory& path, const Convex& shape, real t)
+{
+    return shape.isDisc() ? Pose{path.positionAt(t), path.rotation} : path.at(t);
+}
+
 PlacedPair placedAt(const SweptPair& pair, real t)
 {
-    return {pair.a, pair.pathA.at(t), pair.b, pair.pathB.at(t)};
+    return {pair.a, poseAt(pair.pathA, pair.a, t), pair.b, poseAt(pair.pathB, pair.b, t)};
 }
 
 // All that the stages below share about one sweep.
@@ -38,19 +46,20 @@ struct Sweep {
     real radii;                // of rounding, both
     real admit;                // gaps up to here get a manifold
     real deep;                 // overlap from here on counts as one
-    real startGap, endGap;     // between the surfaces
+    bool byFaces;              // two sharp polygons: separation by faces
+    Separation start, end;     // gaps, radii subtracted; by faces: the distance alone
     Vec2 slide;                // relative displacement of the centers
     real turnA, turnB;         // [rad], absolute
     real travel;               // bound on the motion of any point of the one against the other
     real sagitta;              // how far a turning point leaves its chord
     bool turning;
-    bool sharp;                // two sharp polygons: separation by faces
+    bool sharp;                // no rounding on either of two that have faces
 
     Sweep(const SweptPair& p, real t0, real t1)
-        : pair(p), from(t0), to(t1), atStart(p.a, p.pathA.at(t0), p.b, p.pathB.at(t0)),
-          atEnd(p.a, p.pathA.at(t1), p.b, p.pathB.at(t1)), radii(p.a.radius + p.b.radius),
-          admit(3 * p.restGap), deep(-p.restGap / 2), startGap(gap(atStart)), endGap(gap(atEnd)),
-          slide((atEnd.poseB.p - atEnd.poseA.p) - (atStart.poseB.p - atStart.poseA.p)),
+        : pair(p), from(t0), to(t1), atStart(p.a, poseAt(p.pathA, p.a, t0), p.b, poseAt(p.pathB, p.b, t0)),
+          atEnd(p.a, poseAt(p.pathA, p.a, t1), p.b, poseAt(p.pathB, p.b, t1)), radii(p.a.radius + p.b.radius),
+          admit(3 * p.restGap), deep(-p.restGap / 2), byFaces(isSharpPair(p.a, p.b)), start(ofEnd(atStart)),
+          end(ofEnd(atEnd)), slide((atEnd.poseB.p - atEnd.poseA.p) - (atStart.poseB.p - atStart.poseA.p)),
           turnA(absolute(p.pathA.turnBy(t1) - p.pathA.turnBy(t0))),
           turnB(absolute(p.pathB.turnBy(t1) - p.pathB.turnBy(t0))),
           travel(length(slide) + turnA * p.a.extent + turnB * p.b.extent),
@@ -69,20 +78,36 @@ struct Sweep {
         s.distance -= radii;
         return s;
     }
+    Separation ofEnd(const PlacedPair& placed) const
+    {
+        return byFaces ? Separation{gap(placed), {}, Separation::Kind::FaceA, 0, 0} : separation(placed);
+    }
     real gapAt(real t) const { return gap(placedAt(pair, t)); }
     Separation separationAt(real t) const { return separation(placedAt(pair, t)); }
     real timeAt(real part) const { return from + part * (to - from); }
 
     SweptResult closest(const PlacedPair& placed) const
     {
+        return with([&](Manifold& m) { closestManifold(placed, preference(), m); });
+    }
+    // Of two that both have faces, a face of A is preferred; else the closest features are at hand.
+    SweptResult closestAt(const PlacedPair& placed, const Separation& known) const
+    {
+        if (placed.a.faces() > 0 && placed.b.faces() > 0) return closest(placed);
+        return with([&](Manifold& m) { closestManifold(placed, known, m); });
+    }
+    SweptResult closestAtStart() const { return closestAt(atStart, start); }
+    SweptResult closestAtEnd() const { return closestAt(atEnd, end); }
+
+    template <class Fill>
+    SweptResult with(const Fill& fill) const
+    {
         SweptResult result;
-        closestManifold(placed, preference(), result.manifold);
+        fill(result.manifold);
         result.near = true;
         result.manifold.time = from;
         return result;
     }
-    SweptResult closestAtStart() const { return closest(atStart); }
-    SweptResult closestAtEnd() const { return closest(atEnd); }
 
     SweptResult impactAt(real t) const
     {
@@ -118,9 +143,8 @@ struct FaceScores {
         const Lanes radii(s.radii), deep(s.deep), restGap(s.pair.restGap);
         for (int i = 0; i < core.faces(); i += kLanes) {
             const Lanes nearest = minimum(first.lanes(i), last.lanes(i)) - radii;
-            const Lanes along = minimum(absolute(dot(core.normals.lanes(i), slide)), restGap);
             storeLane(nearest, least + i);
-            storeLane(select(nearest > deep, nearest - along, nearest), score + i);
+            storeLane(faceScore(nearest, core.normals.lanes(i), slide, deep, restGap), score + i);
         }
     }
 };
@@ -157,7 +181,7 @@ bool settledByFace(const Sweep& s, const SweptFace& best, SweptResult& result)
 // Sharp polygons that overlap at the start, or nearly and no worse later.
 bool settledByOverlap(const Sweep& s, const SweptFace& best, SweptResult& result)
 {
-    const real gap = s.startGap;
+    const real gap = s.start.distance;
     const bool grazing = gap < s.pair.restGap && best.axis.distance > 8 * s.deep && !s.turning;
     if (gap >= s.deep && !grazing) return false;
     if (s.sagitta >= s.pair.restGap) {
@@ -173,17 +197,17 @@ bool settledByOverlap(const Sweep& s, const SweptFace& best, SweptResult& result
 // end unless the motion turns from approach to departure in between.
 bool settledByConvexity(const Sweep& s, SweptResult& result)
 {
-    const real first = s.startGap, last = s.endGap;
+    const real first = s.start.distance, last = s.end.distance;
     if (first < s.deep) {
         result = last < first && last > 8 * s.deep ? s.closestAtEnd() : s.closestAtStart();
         return true;
     }
     if (last <= s.deep || s.turning) return false;
-    if (dot(s.separation(s.atStart).normal, s.slide) >= 0) {
+    if (dot(s.start.normal, s.slide) >= 0) {
         if (first <= s.admit) result = s.closestAtStart();
         return true;
     }
-    if (dot(s.separation(s.atEnd).normal, s.slide) <= 0) {
+    if (dot(s.end.normal, s.slide) <= 0) {
         if (last <= s.admit) result = s.closestAtEnd();
         return true;
     }
@@ -250,7 +274,7 @@ SweptResult advance(const Sweep& s)
     const real spinTravel = s.turnA * s.pair.a.extent + s.turnB * s.pair.b.extent;
 
     real part = 0, nearestPart = 0;
-    Separation now = s.separation(s.atStart);
+    Separation now = s.byFaces ? s.separation(s.atStart) : s.start;
     real nearest = now.distance;
     bool hit = false, exhausted = false;
     for (int iteration = 0;; ++iteration) {
@@ -294,9 +318,9 @@ SweptResult advance(const Sweep& s)
     }
     // A round shape that only skims takes the manifold of the nearer end: at a seam that is the face
     // and not the corner.
-    const bool skims = !polygons && !s.turning && minimum(s.startGap, s.endGap) > s.deep &&
-                       s.endGap < minimum(s.startGap, s.admit) &&
-                       dot(s.separation(s.atEnd).normal, s.slide) < real(0.05) * length(s.slide);
+    const bool skims = !polygons && !s.turning && minimum(s.start.distance, s.end.distance) > s.deep &&
+                       s.end.distance < minimum(s.start.distance, s.admit) &&
+                       dot(s.end.normal, s.slide) < real(0.05) * length(s.slide);
     SweptResult result = s.impactAt(s.timeAt(part));
     if (skims) {
         const real time = result.manifold.time;
@@ -311,11 +335,11 @@ SweptResult advance(const Sweep& s)
 // Gap that the manifold shows at given poses: of its planes, where the true one is of the surfaces.
 real shownGap(const Sweep& s, const Manifold& manifold, const Pose& poseA, const Pose& poseB)
 {
+    const BasicPose<real> a{poseA.p, poseA.q.c, poseA.q.s}, b{poseB.p, poseB.q.c, poseB.q.s};
     real least = std::numeric_limits<real>::max();
     for (int i = 0; i < manifold.count; ++i) {
-        const Vec2 onA = poseA.p + rotate(poseA.q, manifold.points[i].localA);
-        const Vec2 onB = poseB.p + rotate(poseB.q, manifold.points[i].localB);
-        least = minimum(least, dot(manifold.normal, onB - onA) - s.radii);
+        const ManifoldPoint& p = manifold.points[i];
+        least = minimum(least, distanceAlong(manifold.normal, a, p.localA, b, p.localB) - s.radii);
     }
     return least;
 }
@@ -329,7 +353,8 @@ bool bendsAway(const Sweep& s, const Manifold& manifold)
     const auto hides = [&](real gap, const Pose& poseA, const Pose& poseB) {
         return gap < s.admit && shownGap(s, manifold, poseA, poseB) > gap - s.deep;
     };
-    if (hides(s.startGap, s.atStart.poseA, s.atStart.poseB) || hides(s.endGap, s.atEnd.poseA, s.atEnd.poseB))
+    if (hides(s.start.distance, s.atStart.poseA, s.atStart.poseB) ||
+        hides(s.end.distance, s.atEnd.poseA, s.atEnd.poseB))
         return true;
 
     // Halfway a turning face is off the line between its ends by a fourth of turn times slide.
@@ -351,7 +376,7 @@ SweptResult settle(const Sweep& s)
         if (s.sharp && settledByOverlap(s, best, result)) return result;
     }
     if (!s.sharp && settledByConvexity(s, result)) return result;
-    if (s.turning && polygons && s.startGap <= real(1.5) * s.pair.restGap) return marchTurning(s);
+    if (s.turning && polygons && s.start.distance <= real(1.5) * s.pair.restGap) return marchTurning(s);
     return advance(s);
 }
 
@@ -362,8 +387,8 @@ SweptResult collideSwept(const SweptPair& pair, real from, real to)
     const Sweep s(pair, from, to);
     // A gap can change no faster than the two move.
     SweptResult result;
-    if ((s.startGap + s.endGap - s.travel) / 2 <= s.admit) result = settle(s);
-    result.startGap = s.startGap;
+    if ((s.start.distance + s.end.distance - s.travel) / 2 <= s.admit) result = settle(s);
+    result.startGap = s.start.distance;
     result.bends = result.near && bendsAway(s, result.manifold);
     return result;
 }

@@ -270,8 +270,23 @@ void keepClearance(Contact& c, const std::vector<Way>& ways)
 void resweepForTick(ImpactStage& stage, const std::vector<Way>& ways, const StepContext& context)
 {
     const std::vector<Motion>& rows = stage.motions.rows;
+    const ShapeTable& shapes = stage.world.shapes;
     ExpectedPaths& paths = stage.scratch.paths;
     paths.begin(rows.size(), context.h, context.invH);
+
+    Contact* batch[kPairBatch];
+    std::size_t count = 0;
+    const auto sweep = [&] {
+        const std::span<const SweptResult> results = paths.collide({batch, count}, shapes, stage.motions);
+        for (std::size_t i = 0; i < count; ++i) {
+            Contact& c = *batch[i];
+            const Convex &a = shapes.rows[c.shapeA].convex, &b = shapes.rows[c.shapeB].convex;
+            stage.clamps.advancement += results[i].exhausted ? 1 : 0;
+            c.clearance = results[i].startGap;
+            adoptManifold(c, results[i], real(0.3) * maximum(a.size, b.size));
+        }
+        count = 0;
+    };
     for (Contact& c : stage.contacts.rows) {
         if (!c.swept) continue;
         const Motion &a = rows[c.rowA], &b = rows[c.rowB];
@@ -283,12 +298,10 @@ void resweepForTick(ImpactStage& stage, const std::vector<Way>& ways, const Step
             adoptManifold(c, {}, 0);
             continue;
         }
-        const SweptPair pair = paths.pairOf(c, stage.world.shapes, stage.motions);
-        const SweptResult result = collideSwept(pair, 0, context.h);
-        stage.clamps.advancement += result.exhausted ? 1 : 0;
-        c.clearance = result.startGap;
-        adoptManifold(c, result, real(0.3) * maximum(pair.a.size, pair.b.size));
+        batch[count++] = &c;
+        if (count == kPairBatch) sweep();
     }
+    if (count > 0) sweep();
 }
 
 }  // namespace tamias2d::inline TAMIAS_PRECISION

@@ -155,10 +155,14 @@ StepReport World::Impl::step(double dt, int substeps)
 
     // How.
     paths.begin(motions.rows.size(), static_cast<real>(dt), context.invH);
-    for (Contact& contact : contacts.rows) {
-        updateForStep(contact, shapes, motions, context, paths, r.clamps);
-        prepareContact(contact, motions.rows[contact.rowA], motions.rows[contact.rowB]);
-        r.sweptPairs += contact.swept ? 1 : 0;
+    for (std::size_t first = 0; first < contacts.rows.size(); first += kPairBatch) {
+        const std::size_t count = minimum(kPairBatch, contacts.rows.size() - first);
+        const std::span<Contact> batch(contacts.rows.data() + first, count);
+        updateForStep(batch, shapes, motions, context, paths, r.clamps);
+        for (Contact& contact : batch) {
+            prepareContact(contact, motions.rows[contact.rowA], motions.rows[contact.rowB]);
+            r.sweptPairs += contact.swept ? 1 : 0;
+        }
     }
     r.times.manifolds = watch.lap();
 

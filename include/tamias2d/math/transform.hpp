@@ -36,13 +36,24 @@ struct Rot {
     }
 };
 
+/// v turned by the angle whose cosine is c and whose sine is s.
+template <class T>
+constexpr BasicVec2<T> rotate(T c, T s, BasicVec2<T> v) noexcept
+{
+    return {c * v.x - s * v.y, s * v.x + c * v.y};
+}
+template <class T>
+constexpr BasicVec2<T> inverseRotate(T c, T s, BasicVec2<T> v) noexcept
+{
+    return {c * v.x + s * v.y, c * v.y - s * v.x};
+}
 constexpr Vec2 rotate(Rot q, Vec2 v) noexcept
 {
-    return {q.c * v.x - q.s * v.y, q.s * v.x + q.c * v.y};
+    return rotate(q.c, q.s, v);
 }
 constexpr Vec2 inverseRotate(Rot q, Vec2 v) noexcept
 {
-    return {q.c * v.x + q.s * v.y, q.c * v.y - q.s * v.x};
+    return inverseRotate(q.c, q.s, v);
 }
 
 /// Where a body is: the place of its origin [m] and its orientation, with the angle in [0, 2 pi).

@@ -1,0 +1,249 @@
+// SPDX-License-Identifier: MIT
+// How sharp quadrilaterals meet that a face keeps apart, several pairs at once (T = Lane): what collideSwept
+// says of such a pair, to the last bit. Of pairs that are another case (turning far, overlapping, sliding
+// off) it says that it cannot decide. Derivation: docs/theory/contacts.md, section 2.
+#pragma once
+
+#include "narrowphase/face_kernel.hpp"
+
+#include <limits>
+
+namespace tamias2d::inline TAMIAS_PRECISION {
+
+/// A quadrilateral on its way through a span of time.
+template <class T>
+struct QuadOnWay {
+    BasicVec2<T> vertices[4], normals[4];   ///< in the body's frame, as those of Convex
+    BasicPose<T> start, end;
+    T turn;                                 ///< by how much it turns in between, absolute   [rad]
+    T extent;                               ///< [m]
+};
+
+template <class T>
+struct PlacedQuad {
+    BasicVec2<T> vertices[4], normals[4];
+
+    PlacedQuad() = default;
+    PlacedQuad(const QuadOnWay<T>& quad, const BasicPose<T>& pose)
+    {
+        for (int i = 0; i < 4; ++i) {
+            vertices[i] = pose.at(quad.vertices[i]);
+            normals[i] = rotate(pose.c, pose.s, quad.normals[i]);
+        }
+    }
+};
+
+template <class T>
+struct QuadPoint {
+    BasicVec2<T> localA, localB;
+    MaskOf<T> cornerOnA;
+    T feature;              // a whole number
+};
+
+/// As SweptResult, of pairs that are decided.
+template <class T>
+struct QuadResult {
+    MaskOf<T> decided, near, bends, single;
+    T startGap;
+    BasicVec2<T> normal;
+    QuadPoint<T> points[2];
+};
+
+// Which of four: `index` is a whole number from 0 to 3.
+template <class T>
+struct Pick {
+    MaskOf<T> over0, over1, over2;
+    explicit Pick(T index)
+        : over0(index > T(real(0.5))), over1(index > T(real(1.5))), over2(index > T(real(2.5)))
+    {
+    }
+
+    BasicVec2<T> of(const BasicVec2<T>& v0, const BasicVec2<T>& v1, const BasicVec2<T>& v2,
+                    const BasicVec2<T>& v3) const
+    {
+        return select(over2, v3, select(over1, v2, select(over0, v1, v0)));
+    }
+    BasicVec2<T> of(const BasicVec2<T> (&v)[4]) const { return of(v[0], v[1], v[2], v[3]); }
+    BasicVec2<T> nextOf(const BasicVec2<T> (&v)[4]) const { return of(v[1], v[2], v[3], v[0]); }
+};
+
+/// By face of `core`, the least distance of the vertices of `other` in front of it; returns the greatest.
+template <class T>
+T distancesByFace(const PlacedQuad<T>& core, const PlacedQuad<T>& other, T greatest, T (&distances)[4])
+{
+    for (int i = 0; i < 4; ++i) {
+        T least(std::numeric_limits<real>::max());
+        for (int k = 0; k < 4; ++k)
+            least = minimum(least, dot(core.normals[i], other.vertices[k] - core.vertices[i]));
+        distances[i] = least;
+        greatest = maximum(least, greatest);
+    }
+    return greatest;
+}
+
+template <class T>
+BasicPose<T> select(MaskOf<T> condition, const BasicPose<T>& a, const BasicPose<T>& b)
+{
+    return {select(condition, a.p, b.p), select(condition, a.c, b.c), select(condition, a.s, b.s)};
+}
+
+/// The face of the best score over the sweep, as bestFaceOverSweep.
+template <class T>
+struct QuadFace {
+    T score{-std::numeric_limits<real>::max()}, first, last, index;
+    MaskOf<T> onB{};
+
+    T least() const { return minimum(first, last); }
+    void consider(MaskOf<T> better, bool ofB, int face, T itsScore, T atStart, T atEnd)
+    {
+        score = select(better, itsScore, score);
+        first = select(better, atStart, first);
+        last = select(better, atEnd, last);
+        index = select(better, T(static_cast<real>(face)), index);
+        if (ofB) onB = onB | better;
+    }
+};
+
+/// That face in the frame of its body, and the quadrilateral it faces in that of the other.
+template <class T>
+struct FaceOfQuads {
+    MaskOf<T> onB;
+    BasicVec2<T> normal, origin, next;
+    BasicVec2<T> vertices[4], normals[4];
+
+    FaceOfQuads(const QuadOnWay<T>& a, const QuadOnWay<T>& b, MaskOf<T> isOnB, T index) : onB(isOnB)
+    {
+        const Pick<T> face(index);
+        normal = select(onB, face.of(b.normals), face.of(a.normals));
+        origin = select(onB, face.of(b.vertices), face.of(a.vertices));
+        next = select(onB, face.nextOf(b.vertices), face.nextOf(a.vertices));
+        for (int i = 0; i < 4; ++i) {
+            vertices[i] = select(onB, a.vertices[i], b.vertices[i]);
+            normals[i] = select(onB, a.normals[i], b.normals[i]);
+        }
+    }
+};
+
+/// The face at one end of the sweep, with the edge that faces it most squarely.
+template <class T>
+struct ClippedQuads {
+    BasicVec2<T> n, origin;   // of the face
+    T start, end;             // vertices of the edge: whole numbers
+    ClippedEdge<T> clip;
+
+    ClippedQuads(const FaceOfQuads<T>& face, const QuadOnWay<T>& a, const QuadOnWay<T>& b, MaskOf<T> atEnd)
+    {
+        const BasicPose<T> poseA = select(atEnd, a.end, a.start), poseB = select(atEnd, b.end, b.start);
+        const BasicPose<T> here = select(face.onB, poseB, poseA), there = select(face.onB, poseA, poseB);
+        n = rotate(here.c, here.s, face.normal);
+        origin = here.at(face.origin);
+        start = T(real(0));
+        T squarest = dot(n, rotate(there.c, there.s, face.normals[0]));
+        for (int i = 1; i < 4; ++i) {
+            const T along = dot(n, rotate(there.c, there.s, face.normals[i]));
+            const MaskOf<T> better = along < squarest;
+            squarest = select(better, along, squarest);
+            start = select(better, T(static_cast<real>(i)), start);
+        }
+        const Pick<T> edge(start);
+        end = select(edge.over2, T(real(0)), start + T(real(1)));
+        clip = clipEdge(n, origin, here.at(face.next), there.at(edge.of(face.vertices)),
+                        there.at(edge.nextOf(face.vertices)));
+    }
+};
+
+template <class T>
+void collideQuads(const QuadOnWay<T>& a, const QuadOnWay<T>& b, T restGap, QuadResult<T>& result)
+{
+    const T lowest(-std::numeric_limits<real>::max());
+    const T admit = T(real(3)) * restGap, deep = -restGap / T(real(2)), preference = T(real(0.1)) * restGap;
+    const PlacedQuad<T> a0(a, a.start), b0(b, b.start), a1(a, a.end), b1(b, b.end);
+    T fromA0[4], fromB0[4], fromA1[4], fromB1[4];
+    const T startGap = distancesByFace(b0, a0, distancesByFace(a0, b0, lowest, fromA0), fromB0);
+    const T endGap = distancesByFace(b1, a1, distancesByFace(a1, b1, lowest, fromA1), fromB1);
+
+    // Could they come near at all? A gap can change no faster than the two move.
+    const BasicVec2<T> slide = (b.end.p - a.end.p) - (b.start.p - a.start.p);
+    const T travel = squareRoot(dot(slide, slide)) + a.turn * a.extent + b.turn * b.extent;
+    const MaskOf<T> close = admit >= (startGap + endGap - travel) / T(real(2));
+    result.startGap = startGap;
+    result.decided = !close;
+    result.near = result.bends = MaskOf<T>{};
+    if (!any(close)) return;
+
+    // The face that keeps them apart all the way.
+    const T eighth(real(8));
+    const T sagitta = a.turn * a.turn / eighth * a.extent + b.turn * b.turn / eighth * b.extent;
+    QuadFace<T> best;
+    for (int i = 0; i < 4; ++i) {
+        const T nearest = minimum(fromA0[i], fromA1[i]);
+        const T score = faceScore(nearest, a0.normals[i], slide, deep, restGap);
+        best.consider(score > best.score, false, i, score, fromA0[i], fromA1[i]);
+    }
+    for (int i = 0; i < 4; ++i) {
+        const T nearest = minimum(fromB0[i], fromB1[i]);
+        const T score = faceScore(nearest, b0.normals[i], slide, deep, restGap);
+        const T handicap = select(best.onB, T(real(0)), preference);
+        best.consider(score > best.score + handicap, true, i, score, fromB0[i], fromB1[i]);
+    }
+    const MaskOf<T> turning = sagitta > restGap / T(real(2));
+    const MaskOf<T> plain = (best.least() > deep) & (!turning);
+    const MaskOf<T> admitted = close & plain & (!(best.least() > admit));
+    result.decided = result.decided | (close & plain & (best.least() > admit));
+
+    // Those that overlap at the start, or nearly and no worse later, take it by force.
+    const MaskOf<T> grazing = (startGap < restGap) & (best.least() > T(real(8)) * deep) & (!turning);
+    const MaskOf<T> overlapping = close & (!plain) & ((startGap < deep) | grazing);
+    const MaskOf<T> forced = overlapping & (!(sagitta >= restGap));
+    if (!any(admitted | forced)) return;
+
+    // The manifold on it, at the end where the gap is smaller. Where the edge lies beyond the face at both
+    // ends, there is none.
+    const MaskOf<T> slow = travel < T(real(0.25)) * minimum(a.extent, b.extent);
+    const MaskOf<T> atEnd = (best.first + preference >= best.last) & ((!forced) | slow);
+    const FaceOfQuads<T> face(a, b, best.onB, best.index);
+    const ClippedQuads<T> edge(face, a, b, atEnd);
+    const ClippedEdge<T>& clip = edge.clip;
+    if (const MaskOf<T> beyond = admitted & clip.beyond; any(beyond)) {
+        const ClippedQuads<T> other(face, a, b, !atEnd);
+        result.decided = result.decided | (beyond & other.clip.beyond);
+    }
+    const BasicPose<T> poseA = select(atEnd, a.end, a.start), poseB = select(atEnd, b.end, b.start);
+    result.normal = select(best.onB, -edge.n, edge.n);
+    result.single = clip.single;
+    const MaskOf<T> all = (!close) | close;
+    const T faceFeature = select(best.onB, T(real(64)), T(real(0))) + T(real(128)) * best.index;
+    for (int i = 0; i < 2; ++i) {
+        const MaskOf<T> isNear = i == 0 ? clip.beyond & (!clip.before) : MaskOf<T>(all);
+        const BasicVec2<T> corner = select(isNear, clip.near, clip.far);
+        const MaskOf<T> cut = i == 0 ? clip.farCut : clip.nearCut;
+        const MaskOf<T> isEnd = (isNear & (!clip.swapped)) | ((!isNear) & clip.swapped);
+        const BasicVec2<T> foot = footOn(edge.n, edge.origin, corner);
+        QuadPoint<T>& point = result.points[i];
+        point.localA = inverseRotate(poseA.c, poseA.s, select(best.onB, corner, foot) - poseA.p);
+        point.localB = inverseRotate(poseB.c, poseB.s, select(best.onB, foot, corner) - poseB.p);
+        point.cornerOnA = (cut & (!best.onB)) | ((!cut) & best.onB);
+        point.feature =
+            select(cut, T(static_cast<real>(i == 0 ? 16 : 32)), select(isEnd, edge.end, edge.start)) +
+            faceFeature;
+    }
+
+    // Does the true surface leave its plane? Where that must be looked at halfway, it is left to others.
+    const auto hides = [&](T gap, const BasicPose<T>& whereA, const BasicPose<T>& whereB) {
+        const auto shown = [&](const QuadPoint<T>& p) {
+            return distanceAlong(result.normal, whereA, p.localA, whereB, p.localB);
+        };
+        const T first = minimum(T(std::numeric_limits<real>::max()), shown(result.points[0]));
+        const T least = select(clip.single, first, minimum(first, shown(result.points[1])));
+        return (gap < admit) & (least > gap - deep);
+    };
+    const MaskOf<T> hidden = hides(startGap, a.start, b.start) | hides(endGap, a.end, b.end);
+    const T along = absolute(cross(result.normal, slide));
+    const MaskOf<T> straight = -deep >= along * (a.turn + b.turn) / T(real(4));
+    const MaskOf<T> met = (admitted & (!clip.beyond)) | forced;
+    result.near = met & (turning | hidden | straight);
+    result.bends = met & (turning | hidden);
+    result.decided = result.decided | result.near;
+}
+
+}  // namespace tamias2d::inline TAMIAS_PRECISION

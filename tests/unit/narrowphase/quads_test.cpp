@@ -1,0 +1,211 @@
+// SPDX-License-Identifier: MIT
+#include "narrowphase/quads.hpp"
+#include "support/traces.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <random>
+#include <string>
+
+namespace tamias2d {
+namespace {
+
+Convex convexOf(const Geometry& geometry)
+{
+    return makeConvex(geometry, {}, {}, {});
+}
+
+bool sameBits(real a, real b)
+{
+    return a == b && std::signbit(a) == std::signbit(b);
+}
+bool sameBits(Vec2 a, Vec2 b)
+{
+    return sameBits(a.x, b.x) && sameBits(a.y, b.y);
+}
+
+// What differs between two results, in words; empty if every bit is the same.
+std::string difference(const SweptResult& a, const SweptResult& b)
+{
+    std::string text;
+    const auto check = [&text](bool same, const char* what) {
+        if (!same) text += std::string(what) + " ";
+    };
+    check(a.near == b.near, "near");
+    check(sameBits(a.startGap, b.startGap), "startGap");
+    check(a.exhausted == b.exhausted, "exhausted");
+    check(a.bends == b.bends, "bends");
+    if (!a.near || !b.near) return text;
+    check(sameBits(a.manifold.normal, b.manifold.normal), "normal");
+    check(sameBits(a.manifold.time, b.manifold.time), "time");
+    check(a.manifold.atImpact == b.manifold.atImpact, "atImpact");
+    check(a.manifold.count == b.manifold.count, "count");
+    for (int i = 0; i < std::min(a.manifold.count, b.manifold.count); ++i) {
+        const ManifoldPoint &p = a.manifold.points[i], &q = b.manifold.points[i];
+        check(sameBits(p.localA, q.localA), "localA");
+        check(sameBits(p.localB, q.localB), "localB");
+        check(p.cornerOnA == q.cornerOnA, "cornerOnA");
+        check(p.roundOnRound == q.roundOnRound, "roundOnRound");
+        check(p.feature == q.feature, "feature");
+    }
+    return text;
+}
+
+constexpr double kStep = 1.0 / 60;
+
+// Two boxes that rest on, slide along or fly past each other, and every degenerate way of doing so.
+struct Scene {
+    Convex a, b;
+    Trajectory pathA, pathB;
+    real restGap = real(1e-3);
+
+    explicit Scene(std::mt19937& random)
+    {
+        std::uniform_real_distribution<double> unit(-1, 1);
+        const auto whole = [&] { return static_cast<double>(static_cast<int>(random() % 5)) - 2; };
+        const Geometry shapes[] = {makeBox(1, 1), makeBox(1, real(0.5)), makeBox(4, real(0.1)),
+                                   makeRegularPolygon(4, real(0.7))};
+        a = convexOf(shapes[random() % 4]);
+        b = convexOf(shapes[random() % 4]);
+        const bool aligned = random() % 2 == 0, still = random() % 3 == 0;
+        const double size = 0.5 * (static_cast<double>(a.size) + static_cast<double>(b.size));
+        // On the face or on its end, to the last digit or nearly; or anywhere.
+        const double gap = random() % 4 == 0 ? 0 : 2e-3 * unit(random);
+        const DVec2 offset = random() % 4 == 0 ? DVec2{2 * unit(random), 2 * unit(random)}
+                                               : DVec2{0.5 * size * whole(), size + gap};
+        const double quarter = 0.5 * kPi * static_cast<double>(random() % 4);
+        const double turnA = aligned ? quarter : kTwoPi * unit(random),
+                     turnB = aligned ? turnA : kTwoPi * unit(random);
+        const auto way = [&](DVec2 place, double angle) {
+            Trajectory path;
+            path.position = {static_cast<real>(place.x), static_cast<real>(place.y)};
+            path.angle = angle;
+            path.rotation = Rot::ofAngle(angle);
+            if (!still) {
+                const double speeds[] = {0.05, 0.05, 0.5, 3, 30};
+                const double speed = speeds[random() % 5];
+                path.velocity = {static_cast<real>(speed * unit(random)),
+                                 static_cast<real>(speed * unit(random))};
+                path.spin = static_cast<real>(random() % 2 == 0 ? 0 : speed * unit(random));
+                path.acceleration = {0, static_cast<real>(random() % 2 == 0 ? 0 : -10)};
+                path.spinRate = static_cast<real>(random() % 2 == 0 ? 0 : unit(random));
+            }
+            path.lookAhead(static_cast<real>(kStep));
+            return path;
+        };
+        pathA = way({}, turnA);
+        pathB = way(offset, turnB);
+    }
+};
+
+TEST(Quads, InLanesMeetAsEachPairAlone)
+{
+    TRACES("ADR5", "ADR6", "R7");
+    std::mt19937 random(21);
+    const real end = static_cast<real>(kStep);
+    int decidedPairs = 0, touching = 0, onePoint = 0, bending = 0, pairs = 0;
+    for (int trial = 0; trial < 20000; ++trial) {
+        const int count = 1 + static_cast<int>(random() % kLanes);
+        std::vector<Scene> scenes;
+        for (int i = 0; i < count; ++i) scenes.emplace_back(random);
+        std::vector<SpanOfWay> ways;
+        for (const Scene& s : scenes) {
+            ways.emplace_back(s.pathA, end);
+            ways.emplace_back(s.pathB, end);
+        }
+        QuadPair quads[kLanes];
+        for (int i = 0; i < count; ++i) {
+            const auto k = static_cast<std::size_t>(i);
+            const Scene& s = scenes[k];
+            quads[i] = {&s.a,     &s.b, &ways[2 * k], &ways[2 * k + 1], s.pathA.position, s.pathB.position,
+                        s.restGap};
+        }
+        SweptResult inLanes[kLanes];
+        bool decided[kLanes];
+        collideQuads(quads, count, inLanes, decided);
+        pairs += count;
+        for (int i = 0; i < count; ++i) {
+            if (!decided[i]) continue;
+            const Scene& s = scenes[static_cast<std::size_t>(i)];
+            const SweptResult alone = collideSwept({s.a, s.b, s.pathA, s.pathB, s.restGap}, 0, end);
+            ASSERT_EQ(difference(inLanes[i], alone), "") << "trial " << trial << ", lane " << i;
+            ++decidedPairs;
+            touching += alone.near ? 1 : 0;
+            onePoint += alone.near && alone.manifold.count == 1 ? 1 : 0;
+            bending += alone.bends ? 1 : 0;
+        }
+    }
+    // The cases that lanes are there for do occur, and most pairs are decided.
+    EXPECT_GT(decidedPairs, pairs * 6 / 10) << pairs;
+    EXPECT_GT(touching, 5000);
+    EXPECT_GT(onePoint, 50);
+    EXPECT_GT(bending, 50);
+}
+
+// A pair is decided the same way in whatever lane it stands, and whoever stands beside it.
+TEST(Quads, AreDecidedWhoeverStandsBesideThem)
+{
+    TRACES("ADR6");
+    std::mt19937 random(22);
+    const real end = static_cast<real>(kStep);
+    for (int trial = 0; trial < 3000; ++trial) {
+        const Scene s(random), other(random);
+        const SpanOfWay wayA(s.pathA, end), wayB(s.pathB, end), otherA(other.pathA, end),
+            otherB(other.pathB, end);
+        const QuadPair pair{&s.a, &s.b, &wayA, &wayB, s.pathA.position, s.pathB.position, s.restGap};
+        const QuadPair neighbor{
+            &other.a, &other.b, &otherA, &otherB, other.pathA.position, other.pathB.position, other.restGap};
+        QuadPair beside[kLanes];
+        for (int i = 0; i < kLanes; ++i) beside[i] = i == kLanes - 1 ? pair : neighbor;
+        SweptResult alone[kLanes], last[kLanes];
+        bool decidedAlone[kLanes], decidedLast[kLanes];
+        collideQuads(&pair, 1, alone, decidedAlone);
+        collideQuads(beside, kLanes, last, decidedLast);
+        ASSERT_EQ(decidedAlone[0], decidedLast[kLanes - 1]) << "trial " << trial;
+        if (decidedAlone[0]) {
+            ASSERT_EQ(difference(alone[0], last[kLanes - 1]), "") << "trial " << trial;
+        }
+    }
+}
+
+// Against geometry of its own: a box that lies flat on another shares with it the overlap of two intervals.
+TEST(Quads, ThatLieFlatTouchAtTheEndsOfWhatTheyShare)
+{
+    TRACES("LC1", "IM3");
+    std::mt19937 random(23);
+    std::uniform_real_distribution<double> width(0.2, 3), shift(-2, 2), height(0.2, 2);
+    const double tolerance = std::is_same_v<real, double> ? 1e-12 : 2e-6;
+    for (int trial = 0; trial < 2000; ++trial) {
+        const double wA = width(random), wB = width(random), hA = height(random), hB = height(random);
+        const double x = shift(random);
+        const double left = std::max(-wA / 2, x - wB / 2), right = std::min(wA / 2, x + wB / 2);
+        if (right - left < 1e-2) continue;
+        const Convex a = convexOf(makeBox(static_cast<real>(wA), static_cast<real>(hA)));
+        const Convex b = convexOf(makeBox(static_cast<real>(wB), static_cast<real>(hB)));
+        const double gap = 1e-3;
+        Trajectory pathA, pathB;
+        pathB.position = {static_cast<real>(x), static_cast<real>((hA + hB) / 2 + gap)};
+        const SpanOfWay wayA(pathA, static_cast<real>(kStep)), wayB(pathB, static_cast<real>(kStep));
+        const QuadPair pair{&a, &b, &wayA, &wayB, pathA.position, pathB.position, real(1e-3)};
+        SweptResult result;
+        bool decided = false;
+        collideQuads(&pair, 1, &result, &decided);
+        ASSERT_TRUE(decided && result.near) << "trial " << trial;
+        ASSERT_EQ(result.manifold.count, 2) << "trial " << trial;
+        EXPECT_NEAR(result.manifold.normal.y, 1, tolerance);
+        EXPECT_NEAR(result.startGap, gap, tolerance);
+        double ends[2];
+        for (int i = 0; i < 2; ++i) {
+            ends[i] = static_cast<double>(result.manifold.points[i].localA.x);
+            EXPECT_NEAR(result.manifold.points[i].localA.y, hA / 2, tolerance);
+            EXPECT_NEAR(result.manifold.points[i].localB.y, -hB / 2, tolerance);
+        }
+        EXPECT_NEAR(std::min(ends[0], ends[1]), left, tolerance) << "trial " << trial;
+        EXPECT_NEAR(std::max(ends[0], ends[1]), right, tolerance) << "trial " << trial;
+    }
+}
+
+}  // namespace
+}  // namespace tamias2d
