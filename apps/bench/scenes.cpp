@@ -69,9 +69,11 @@ Scene boxes(std::string name, int n)
     return scene;
 }
 
-Scene tiles()
+// A thousand rows of a thousand tiles, and a hundred boxes that glide over the uppermost.
+Scene tiles(std::string name, bool asleep)
 {
-    Scene scene{"tiles", 200};
+    Scene scene{std::move(name), 200};
+    scene.sleep = asleep;
     for (int row = 0; row < 1000; ++row) {
         SceneBody body{Mobility::Fixed, {{0, -1.0 * row}}, false, {}};
         for (int i = -500; i < 500; ++i) body.shapes.push_back(box(0.5, 0.5, {i + 0.5, -0.5}));
@@ -79,9 +81,24 @@ Scene tiles()
     }
     for (int i = 0; i < 100; ++i) {
         scene.bodies.push_back(at({(i - 50) * 8.0, 0.51}, box(0.5, 0.5)));
-        scene.bodies.back().start.velocity = {3, 0};
+        scene.bodies.back().asleep = asleep;
+        if (!asleep) scene.bodies.back().start.velocity = {3, 0};
         scene.bodies.back().shapes[0].friction = 0;
     }
+    return scene;
+}
+
+// 10010 boxes in pyramids, which fall asleep in the first third of the run: the median step is one asleep.
+Scene pyramidsAsleep()
+{
+    Scene scene{"pyramids_asleep", 600};
+    scene.sleep = true;
+    scene.bodies.push_back({Mobility::Fixed, {}, false, {box(1100, 1, {1000, -1})}});
+    for (int pyramid = 0; pyramid < 182; ++pyramid)
+        for (int row = 0; row < 10; ++row)
+            for (int i = 0; i < 10 - row; ++i)
+                scene.bodies.push_back(
+                    at({pyramid * 11 + i + 0.5 * row, row * 1.001 + 0.501}, box(0.49, 0.5)));
     return scene;
 }
 
@@ -133,7 +150,9 @@ const std::vector<SceneEntry>& scenes()
         {"awake_100", "small", [] { return boxes("awake_100", 100); }},
         {"awake_300", "small", [] { return boxes("awake_300", 300); }},
         {"awake_1000", "small", [] { return boxes("awake_1000", 1000); }},
-        {"tiles", "world", tiles},
+        {"tiles", "world", [] { return tiles("tiles", false); }},
+        {"tiles_asleep", "world", [] { return tiles("tiles_asleep", true); }},
+        {"pyramids_asleep", "world", pyramidsAsleep},
         {"gas", "gas", gas},
     };
     return all;

@@ -36,7 +36,8 @@ ShapeDef shapeOf(const SceneShape& source)
 
 class TamiasEngine final : public Engine {
 public:
-    explicit TamiasEngine(const Scene& scene) : world_(WorldDef{.gravity = toReal(scene.gravity)})
+    explicit TamiasEngine(const Scene& scene)
+        : world_(WorldDef{.gravity = toReal(scene.gravity), .allowSleep = scene.sleep})
     {
         for (const SceneBody& source : scene.bodies) add(source);
     }
@@ -59,8 +60,7 @@ public:
 
     Counts counts() const override
     {
-        return {static_cast<long>(report_.dynamicBodies), static_cast<long>(report_.touching),
-                world_.stateHash()};
+        return {static_cast<long>(report_.awake), static_cast<long>(report_.touching), world_.stateHash()};
     }
 
     std::map<std::string, double> phases() const override
@@ -81,6 +81,7 @@ private:
         def.angle = source.start.angle;
         def.linearVelocity = toReal(source.start.velocity);
         def.angularVelocity = static_cast<real>(source.start.spin);
+        def.awake = !source.asleep;
         Body body = world_.createBody(def);
         for (const SceneShape& shape : source.shapes) body.createShape(shapeOf(shape));
         bodies_.push_back(body);

@@ -1,11 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "broadphase/sweep.hpp"
 
-#include <tamias2d/math/scalar.hpp>
+#include "broadphase/float_box.hpp"
 
 #include <algorithm>
-#include <cmath>
-#include <limits>
 
 namespace tamias2d::inline TAMIAS_PRECISION {
 namespace {
@@ -14,20 +12,6 @@ using Entry = SweepScratch::Entry;
 
 constexpr double kBoxesPerStrip = 4;   // a strip is as high as this many boxes
 constexpr std::int64_t kMaxStrips = 16;   // a box in that many of them is huge
-constexpr float kFloatMax = std::numeric_limits<float>::max();
-
-// What is no number is bounded by the greatest ones, so that the order of entries stays one.
-float below(double x)
-{
-    constexpr double kMost = static_cast<double>(kFloatMax);
-    if (!(x > -kMost)) return -kFloatMax;
-    const float rounded = static_cast<float>(minimum(x, kMost));
-    return static_cast<double>(rounded) <= x ? rounded : std::nextafter(rounded, -kFloatMax);
-}
-float above(double x)
-{
-    return -below(-x);
-}
 
 // From how many there are to where each begins.
 void startsOf(std::vector<std::uint32_t>& counts)
@@ -88,7 +72,12 @@ void fillStrips(const std::vector<SweepBox>& boxes, const Strips& strips, SweepS
             scratch.huge.push_back(i);
             continue;
         }
-        Entry entry{below(box.lower.x), above(box.upper.x), below(box.lower.y), above(box.upper.y), i, first};
+        Entry entry{floatBelow(box.lower.x),
+                    floatAbove(box.upper.x),
+                    floatBelow(box.lower.y),
+                    floatAbove(box.upper.y),
+                    i,
+                    first};
         for (; entry.strip <= last; ++entry.strip) {
             scratch.unsorted.push_back(entry);
             ++scratch.bucketEnds[strips.bucketOf(entry.strip)];
@@ -128,6 +117,11 @@ void sortPairs(const std::vector<ShapePair>& found, std::vector<ShapePair>& pair
 {
     std::uint32_t shapes = 0;
     for (const ShapePair& pair : found) shapes = maximum(shapes, pair.a + 1);
+    if (shapes > 8 * found.size()) {  // a few among many
+        pairs = found;
+        std::sort(pairs.begin(), pairs.end());
+        return;
+    }
     ends.assign(shapes, 0);
     for (const ShapePair& pair : found) ++ends[pair.a];
     startsOf(ends);
@@ -142,9 +136,10 @@ void sortPairs(const std::vector<ShapePair>& found, std::vector<ShapePair>& pair
 
 }  // namespace
 
-void sweepPairs(const std::vector<SweepBox>& boxes, std::vector<ShapePair>& pairs, SweepScratch& scratch)
+void sweepPairs(const std::vector<SweepBox>& boxes, std::span<const ShapePair> more,
+                std::vector<ShapePair>& pairs, SweepScratch& scratch)
 {
-    scratch.found.clear();
+    scratch.found.assign(more.begin(), more.end());
     if (!boxes.empty()) {
         const Strips strips = layOut(boxes);
         fillStrips(boxes, strips, scratch);

@@ -4,6 +4,7 @@
 #include <tamias2d/geometry/aabb.hpp>
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 namespace tamias2d::inline TAMIAS_PRECISION {
@@ -38,8 +39,9 @@ struct SweepScratch {
     std::vector<std::uint32_t> pairEnds;      // by first shape
 };
 
-/// All pairs of overlapping boxes of which one moves, sorted by shape. The boxes are laid out in strips along
-/// x and swept strip by strip from left to right.
-void sweepPairs(const std::vector<SweepBox>& boxes, std::vector<ShapePair>& pairs, SweepScratch& scratch);
+/// All pairs of overlapping boxes of which one moves, and the pairs in `more`, sorted by shape. The boxes are
+/// laid out in strips along x and swept strip by strip from left to right.
+void sweepPairs(const std::vector<SweepBox>& boxes, std::span<const ShapePair> more,
+                std::vector<ShapePair>& pairs, SweepScratch& scratch);
 
 }  // namespace tamias2d::inline TAMIAS_PRECISION

@@ -7,8 +7,9 @@ namespace tamias2d::inline TAMIAS_PRECISION {
 
 void BoxTree::build(std::vector<SweepBox>& boxes, std::size_t shapeSlots)
 {
+    // Places of boxes that are gone need not be wiped out: a place counts if the box there is the shape's.
     boxes_ = &boxes;
-    placeOf_.assign(shapeSlots, kNone);
+    if (placeOf_.size() < shapeSlots) placeOf_.resize(shapeSlots, 0);
     for (std::uint32_t i = 0; i < boxes.size(); ++i) placeOf_[boxes[i].shape] = i;
 
     // Each level bounds the one below, until one node is left.
@@ -31,7 +32,9 @@ void BoxTree::build(std::vector<SweepBox>& boxes, std::size_t shapeSlots)
 
 const SweepBox* BoxTree::boxOf(std::uint32_t shape) const
 {
-    return shape < placeOf_.size() && placeOf_[shape] != kNone ? &(*boxes_)[placeOf_[shape]] : nullptr;
+    if (shape >= placeOf_.size() || placeOf_[shape] >= boxes_->size()) return nullptr;
+    const SweepBox& box = (*boxes_)[placeOf_[shape]];
+    return box.shape == shape ? &box : nullptr;
 }
 
 void BoxTree::grow(std::uint32_t shape, const Aabb& box)

@@ -26,7 +26,6 @@ public:
 
 private:
     static constexpr std::size_t kFan = 8;
-    static constexpr std::uint32_t kNone = 0xffffffffu;
 
     std::vector<SweepBox>* boxes_ = nullptr;
     std::vector<std::uint32_t> placeOf_;  // by shape slot

@@ -24,8 +24,8 @@ void refresh(const ContactWorld& world, Contact& contact)
     const ShapeRow& a = world.shapes.rows[contact.shapeA];
     const ShapeRow& b = world.shapes.rows[contact.shapeB];
     const Material &ma = a.def.material, &mb = b.def.material;
-    contact.rowA = world.motions.rowOf[a.body];
-    contact.rowB = world.motions.rowOf[b.body];
+    contact.rowA = world.motions.rowFor(a.body);
+    contact.rowB = world.motions.rowFor(b.body);
     contact.radiusA = a.convex.radius;
     contact.radiusB = b.convex.radius;
     contact.restGap = restGapOf(world, a, b);
@@ -51,9 +51,7 @@ bool mayCollide(const ContactWorld& world, const ShapePair& pair)
     const ShapeRow& a = world.shapes.rows[pair.a];
     const ShapeRow& b = world.shapes.rows[pair.b];
     if (!shouldCollide(a.def.filter, b.def.filter)) return false;
-    const Motion& ma = world.motions.rows[world.motions.rowOf[a.body]];
-    const Motion& mb = world.motions.rows[world.motions.rowOf[b.body]];
-    return ma.moves() || mb.moves();
+    return world.bodies.rows[a.body].canMove() || world.bodies.rows[b.body].canMove();
 }
 
 Contact makeContact(const ContactWorld& world, const ShapePair& pair)

@@ -204,6 +204,15 @@ bool withinReach(const SweptPair& pair, real gap, real dt)
 
 }  // namespace
 
+bool mayMeet(const SweptPair& pair, real from, real to, const StepContext& context)
+{
+    constexpr real kSlow = 10;  // rest gaps a tick: faster ones are impacts, in crowds as well
+    const SweptResult result = collideSwept(pair, from, to);
+    if (result.near && result.manifold.count > 0) return true;
+    return result.startGap <= kSlow * pair.restGap * static_cast<real>(context.ticks) &&
+           withinReach(pair, result.startGap, to - from);
+}
+
 void updateForStep(std::span<Contact> contacts, const ShapeTable& shapes, const MotionTable& motions,
                    const StepContext& context, ExpectedPaths& paths, ClampCounts& clamps)
 {

@@ -64,6 +64,10 @@ private:
 /// or, failing that, by the nearest anchor.
 void adoptManifold(Contact& contact, const SweptResult& result, real matchDistance);
 
+/// Does the pair meet between the two times? Also if it is so near that the passes of a crowd could bring
+/// it together unforeseen; what impacts deflect is looked at again by them.
+bool mayMeet(const SweptPair& pair, real from, real to, const StepContext& context);
+
 /// The manifolds of up to kPairBatch contacts for the whole step, from 0 to dt, which `paths` must be for.
 /// Pairs that may still meet in another way are flagged `swept`: they are looked at again in every tick.
 void updateForStep(std::span<Contact> contacts, const ShapeTable& shapes, const MotionTable& motions,

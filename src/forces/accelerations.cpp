@@ -110,44 +110,76 @@ real limited(real acceleration, double most)
     return static_cast<real>(clamp(static_cast<double>(acceleration), -most, most));
 }
 
+// Gravity and the forces held on the body.
+void accelerateByHeld(Motion& m, const BodyRow& body, const ForceField& field)
+{
+    m.acceleration = {};
+    m.spinRate = 0;
+    if (!body.isDynamic()) return;
+    const Vec2 g = gravityOn(body, field.gravity);
+    const Wrench held = heldForces(body, m);
+    const Vec2 force = toVec2(held.force);
+    m.acceleration = {(m.invMass.x > 0 ? g.x : real(0)) + m.invMass.x * force.x,
+                      (m.invMass.y > 0 ? g.y : real(0)) + m.invMass.y * force.y};
+    m.spinRate = m.invInertia * static_cast<real>(held.torque);
+}
+
+void limit(Motion& m, const ForceField& field)
+{
+    m.acceleration = {limited(m.acceleration.x, field.most), limited(m.acceleration.y, field.most)};
+    m.spinRate = limited(m.spinRate, field.mostSpinRate);
+}
+
 }  // namespace
 
-bool ForceField::varies(const BodyTable& bodies) const
+bool ForceField::varies(const MotionTable& motions, const BodyTable& bodies) const
 {
     if (gravitationConstant > 0 || !laws.empty()) return true;
-    for (std::uint32_t i = 0; i < bodies.rows.size(); ++i)
-        if (bodies.ids.isAlive(i) && !bodies.rows[i].lasting.empty()) return true;
+    for (const Motion& m : motions.rows)
+        if (!bodies.rows[m.body].lasting.empty()) return true;
     return false;
+}
+
+std::uint32_t accelerateOne(Motion& m, const BodyTable& bodies, const ForceField& field, double time)
+{
+    std::uint32_t faults = 0;
+    accelerateByHeld(m, bodies.rows[m.body], field);
+    for (const PlacedLaw& placed : field.laws)
+        if (placed.body.isNull() || placed.body == bodies.ids.id(m.body))
+            addLaw(placed, m, bodies, time, faults);
+    limit(m, field);
+    return faults;
+}
+
+Wrench wrenchOfLaws(const BodyRow& body, BodyId id, const ForceField& field, double time,
+                    std::uint32_t& faults)
+{
+    Wrench sum;
+    if (!body.isDynamic()) return sum;
+    const BodyView view = viewOf(body, id, body.center, body.angle, body.velocity, body.spin);
+    for (const PlacedLaw& placed : field.laws) {
+        if (!placed.body.isNull() && placed.body != id) continue;
+        const Wrench one = evaluate(placed.law, view, time, faults);
+        sum.force += one.force;
+        sum.torque += one.torque;
+    }
+    return sum;
 }
 
 std::uint32_t accelerate(MotionTable& motions, const BodyTable& bodies, const ForceField& field, double time)
 {
     std::uint32_t faults = 0;
-    for (Motion& m : motions.rows) {
-        m.acceleration = {};
-        m.spinRate = 0;
-        const BodyRow& body = bodies.rows[m.body];
-        if (!body.isDynamic()) continue;
-        const Vec2 g = gravityOn(body, field.gravity);
-        const Wrench held = heldForces(body, m);
-        const Vec2 force = toVec2(held.force);
-        m.acceleration = {(m.invMass.x > 0 ? g.x : real(0)) + m.invMass.x * force.x,
-                          (m.invMass.y > 0 ? g.y : real(0)) + m.invMass.y * force.y};
-        m.spinRate = m.invInertia * static_cast<real>(held.torque);
-    }
+    for (Motion& m : motions.rows) accelerateByHeld(m, bodies.rows[m.body], field);
     if (field.gravitationConstant > 0) addGravitation(motions, bodies, field.gravitationConstant);
     for (const PlacedLaw& placed : field.laws) {
         if (placed.body.isNull()) {
             for (Motion& m : motions.rows) addLaw(placed, m, bodies, time, faults);
         } else if (bodies.ids.owns(placed.body)) {
-            const std::uint32_t row = motions.rowOf[placed.body.index];
+            const std::uint32_t row = motions.rowFor(placed.body.index);
             if (row != MotionTable::kNone) addLaw(placed, motions.rows[row], bodies, time, faults);
         }
     }
-    for (Motion& m : motions.rows) {
-        m.acceleration = {limited(m.acceleration.x, field.most), limited(m.acceleration.y, field.most)};
-        m.spinRate = limited(m.spinRate, field.mostSpinRate);
-    }
+    for (Motion& m : motions.rows) limit(m, field);
     return faults;
 }
 

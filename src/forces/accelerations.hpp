@@ -26,13 +26,20 @@ struct ForceField {
     double most = 1e300;                 // what an acceleration is held at, along each axis   [m/s^2]
     double mostSpinRate = 1e300;         // [rad/s^2]
 
-    /// Does the acceleration of some body change within a step?
-    bool varies(const BodyTable& bodies) const;
+    /// Does the acceleration of some body of the step change within it?
+    bool varies(const MotionTable& motions, const BodyTable& bodies) const;
 };
 
 /// Sets acceleration and spinRate of every row from gravity, forces, gravitation and laws, for the
 /// state it has now. Returns how many laws threw or gave no number.
 std::uint32_t accelerate(MotionTable& motions, const BodyTable& bodies, const ForceField& field, double time);
+
+/// The same for one row of a body that has just come in; without gravitation, under which none sleeps.
+std::uint32_t accelerateOne(Motion& motion, const BodyTable& bodies, const ForceField& field, double time);
+
+/// What the laws do to a body as it is; counts the faulty ones.
+Wrench wrenchOfLaws(const BodyRow& body, BodyId id, const ForceField& field, double time,
+                    std::uint32_t& faults);
 
 /// Potential energy of gravity and laws on one body, and of the gravitation of all pairs.   [J]
 double potentialEnergy(const BodyRow& body, BodyId id, const ForceField& field, double time);

@@ -52,12 +52,16 @@ struct alignas(64) Motion {
     bool moves() const { return invMass.x + invMass.y > 0 || invInertia > 0; }
 };
 
-/// The bodies that take part in a step, sorted by slot, and which row each one has.
+/// The bodies of a step, and which row each one has: first those that take part, then the still ones that
+/// they may meet (static, or kinematic at rest); each sorted by slot, but for those that come in mid-step.
 struct MotionTable {
     static constexpr std::uint32_t kNone = 0xffffffffu;
 
     std::vector<Motion> rows;
-    std::vector<std::uint32_t> rowOf;  // by body slot; kNone for a disabled or dead body
+    std::vector<std::uint32_t> rowOf;  // by body slot; kNone for those that are not here
+    std::uint32_t parts = 0;           // how many of the rows took part from the start
+
+    std::uint32_t rowFor(std::uint32_t body) const { return body < rowOf.size() ? rowOf[body] : kNone; }
 };
 
 /// n . M^-1 n for an impulse along `n` at `arm`: how easily the point gives way.   [1/kg]

@@ -33,6 +33,8 @@ void fieldsOf(const Tuning*, Visit visit)
     visit("impactThreshold", &Tuning::impactThreshold);
     visit("crowd", &Tuning::crowd);
     visit("impactsPerContact", &Tuning::impactsPerContact);
+    visit("sleepTime", &Tuning::sleepTime);
+    visit("sleepSpeed", &Tuning::sleepSpeed);
 }
 
 template <class Visit>
@@ -43,6 +45,7 @@ void fieldsOf(const WorldDef*, Visit visit)
     visit("lengthUnit", &WorldDef::lengthUnit);
     visit("frictionMixing", &WorldDef::frictionMixing);
     visit("restitutionMixing", &WorldDef::restitutionMixing);
+    visit("allowSleep", &WorldDef::allowSleep);
     visit("tuning", &WorldDef::tuning);
 }
 
@@ -78,6 +81,8 @@ void fieldsOf(const BodyDef*, Visit visit)
     visit("gravityScale", &BodyDef::gravityScale);
     visit("gravity", &BodyDef::gravity);
     visit("enabled", &BodyDef::enabled);
+    visit("allowSleep", &BodyDef::allowSleep);
+    visit("awake", &BodyDef::awake);
     visit("userData", &BodyDef::userData);
 }
 

@@ -24,6 +24,8 @@ bool stopAtEdge(Motion& m, real lengthUnit)
     return true;
 }
 
+}  // namespace
+
 void remember(BodyRow& b)
 {
     b.previousCenter = b.center;
@@ -33,15 +35,14 @@ void remember(BodyRow& b)
     b.stepTorque = 0;
 }
 
-}  // namespace
-
 FinalCounts finalize(MotionTable& motions, ContactTable& contacts, const ShapeTable& shapes,
                      BodyTable& bodies, const StepContext& context)
 {
     FinalCounts counts;
-    for (BodyRow& b : bodies.rows) remember(b);
     for (Motion& m : motions.rows) {
         BodyRow& b = bodies.rows[m.body];
+        if (!b.takesPart) continue;
+        remember(b);
         if (!isNumber(m)) {
             b.velocity = {};
             b.spin = 0;

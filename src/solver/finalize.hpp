@@ -15,8 +15,11 @@ struct FinalCounts {
     double deepestOverlap = 0;     // [m]
 };
 
-/// Writes the solved state back to the bodies and measures the contacts where they are now. A body
-/// whose state is no number is put back where it was, at rest and disabled.
+/// The pose at hand as the one before the step, and no force for the step any more.
+void remember(BodyRow& body);
+
+/// Writes the solved state back to the bodies that take part and measures the contacts where they are now. A
+/// body whose state is no number is put back where it was, at rest and disabled.
 FinalCounts finalize(MotionTable& motions, ContactTable& contacts, const ShapeTable& shapes,
                      BodyTable& bodies, const StepContext& context);
 

@@ -34,6 +34,8 @@ public:
         ends_.assign(rows, {kEnd, kEnd});
         next_.clear();
     }
+    /// Makes room for rows that have come in.
+    void grow(std::size_t rows) { ends_.resize(rows, {kEnd, kEnd}); }
     /// Appends a link of contact `i` to the chain of `row`; side 0 is A's, 1 is B's.
     void append(std::uint32_t row, std::uint32_t i, std::uint32_t side)
     {

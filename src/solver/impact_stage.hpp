@@ -1,8 +1,12 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "broadphase/rest_trees.hpp"
 #include "contacts/pairs.hpp"
+#include "forces/accelerations.hpp"
+#include "islands/links.hpp"
 #include "model/contacts.hpp"
+#include "model/sleep.hpp"
 #include "model/step_context.hpp"
 #include "solver/impact_scratch.hpp"
 #include "solver/integrate.hpp"
@@ -24,6 +28,10 @@ struct ImpactRecord {
 /// What the impact stage works on and fills.
 struct ImpactStage {
     const ContactWorld& world;
+    const ForceField& field;
+    const RestTrees& resting;              // what holds still
+    const SleepTable& asleep;
+    Islands& islands;
     MotionTable& motions;
     ContactTable& contacts;
     std::vector<SweepBox>& boxes;          // of the broad phase: grown for bodies thrown out of theirs
@@ -33,6 +41,8 @@ struct ImpactStage {
     ClampCounts& clamps;
     std::uint32_t& repaired;               // pairs added in mid-step
     std::uint32_t& groups;                 // impacts so far in the step
+    std::uint32_t& lawFaults;
+    std::vector<std::uint32_t>& roused;    // sleeping groups that impacts of the step have woken
 };
 
 }  // namespace tamias2d::inline TAMIAS_PRECISION

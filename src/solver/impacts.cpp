@@ -7,6 +7,7 @@
 #include "contacts/rows.hpp"
 #include "contacts/update.hpp"
 #include "solver/impact_response.hpp"
+#include "solver/newcomers.hpp"
 
 #include <algorithm>
 #include <limits>
@@ -47,6 +48,10 @@ private:
     bool isFarFrom(real start, const Contact& c);
     void resweep(std::uint32_t i, bool own);
     void pairAgain(std::uint32_t row);
+    void pairWithMoving(std::uint32_t row, std::uint32_t shape, const Aabb& needed);
+    void pairWithResting(std::uint32_t row, std::uint32_t shape, const Aabb& needed, real end);
+    bool meetsSleeper(std::uint32_t row, std::uint32_t shape, std::uint32_t other, real end);
+    void takeUp(std::uint32_t first);
     bool isKnown(std::uint32_t row, const ShapePair& pair);
     void add(const ShapePair& pair);
 };
@@ -166,19 +171,28 @@ void ImpactSolver::resweep(std::uint32_t i, bool own)
     placePoints(i);
 }
 
+// Makes room for the contacts from number `first` on, which have just come in, and takes them up.
+void ImpactSolver::takeUp(std::uint32_t first)
+{
+    const auto count = static_cast<std::uint32_t>(stage_.contacts.rows.size());
+    scratch_.points.resize(2 * std::size_t{count});
+    scratch_.versions.resize(count, 0);
+    scratch_.placed.resize(count, false);
+    for (std::uint32_t i = first; i < count; ++i) {
+        scratch_.places.push_back(i);  // the order of what comes in is that of the rows
+        chain(i);
+    }
+}
+
 void ImpactSolver::add(const ShapePair& pair)
 {
     const auto i = static_cast<std::uint32_t>(stage_.contacts.rows.size());
     Contact added = makeContact(stage_.world, pair);
     added.swept = true;
-    scratch_.places.push_back(static_cast<std::uint32_t>(stage_.contacts.order.size()));
-    scratch_.versions.push_back(0);
-    scratch_.placed.push_back(false);
-    scratch_.points.resize(scratch_.points.size() + 2);
     stage_.contacts.order.push_back(i);
     stage_.contacts.rows.push_back(added);
     ++stage_.repaired;
-    chain(i);
+    takeUp(i);
     resweep(i, false);
     schedule(i);
 }
@@ -186,26 +200,74 @@ void ImpactSolver::add(const ShapePair& pair)
 // A body thrown out of the box it was paired in is paired again, at once.
 void ImpactSolver::pairAgain(std::uint32_t row)
 {
-    const Motion& m = motion(row);
-    const Trajectory path = pathOf(row, m.center);
+    const std::uint32_t body = motion(row).body;
+    const Position center = motion(row).center;
+    const Trajectory path = pathOf(row, center);
     const real end = static_cast<real>(context_.dt) - tickStart_;
 
-    for (const std::uint32_t shape : stage_.world.bodies.rows[m.body].shapes) {
+    for (const std::uint32_t shape : stage_.world.bodies.rows[body].shapes) {
         const Convex& convex = stage_.world.shapes.rows[shape].convex;
         const real margin = 3 * stage_.world.restGap * convex.size;
-        const Aabb needed = sweptBounds(convex, path, m.center, scratch_.flights[row].clock, end, margin);
+        const Aabb needed = sweptBounds(convex, path, center, scratch_.flights[row].clock, end, margin);
         if (!scratch_.tree.isBuilt()) scratch_.tree.build(stage_.boxes, stage_.world.shapes.rows.size());
         const SweepBox* own = scratch_.tree.boxOf(shape);
-        if (own == nullptr || contains(own->box, needed)) continue;
-
-        scratch_.tree.overlapping(needed, m.body, scratch_.found);
-        scratch_.tree.grow(shape, needed);
-        for (const std::uint32_t k : scratch_.found) {
-            const std::uint32_t other = stage_.boxes[k].shape;
-            const ShapePair pair{minimum(shape, other), maximum(shape, other)};
-            if (mayCollide(stage_.world, pair) && !isKnown(row, pair)) add(pair);
-        }
+        const bool left = own == nullptr || !contains(own->box, needed);
+        if (left) pairWithMoving(row, shape, needed);
+        if (left || !stage_.asleep.isEmpty()) pairWithResting(row, shape, needed, end);
     }
+}
+
+void ImpactSolver::pairWithMoving(std::uint32_t row, std::uint32_t shape, const Aabb& needed)
+{
+    scratch_.tree.overlapping(needed, motion(row).body, scratch_.found);
+    if (scratch_.tree.boxOf(shape) != nullptr) scratch_.tree.grow(shape, needed);
+    for (const std::uint32_t k : scratch_.found) {
+        const std::uint32_t other = stage_.boxes[k].shape;
+        const ShapePair pair{minimum(shape, other), maximum(shape, other)};
+        if (mayCollide(stage_.world, pair) && !isKnown(row, pair)) add(pair);
+    }
+}
+
+// What holds still may have no row yet; what sleeps comes in if it is met.
+void ImpactSolver::pairWithResting(std::uint32_t row, std::uint32_t shape, const Aabb& needed, real end)
+{
+    scratch_.found.clear();
+    stage_.resting.eachOverlapping(needed, [&](std::uint32_t other) {
+        if (overlaps(needed, stage_.world.shapes.rows[other].sweptBox)) scratch_.found.push_back(other);
+    });
+    std::sort(scratch_.found.begin(), scratch_.found.end());
+    for (const std::uint32_t other : scratch_.found) {
+        const ShapePair pair{minimum(shape, other), maximum(shape, other)};
+        const std::uint32_t body = stage_.world.shapes.rows[other].body;
+        if (body == motion(row).body || !mayCollide(stage_.world, pair)) continue;
+        const BodyRow& b = stage_.world.bodies.rows[body];
+        if (stage_.motions.rowOf[body] == MotionTable::kNone) {
+            if (b.isAsleep()) {
+                if (!meetsSleeper(row, shape, other, end)) continue;
+                const auto first = static_cast<std::uint32_t>(stage_.contacts.rows.size());
+                rouse(stage_, b.group, context_, context_.time + static_cast<double>(tickStart_));
+                scratch_.chains.grow(stage_.motions.rows.size());
+                takeUp(first);
+            } else {
+                enter(stage_, body, context_);
+                scratch_.chains.grow(stage_.motions.rows.size());
+            }
+        }
+        if (!isKnown(row, pair)) add(pair);
+    }
+}
+
+bool ImpactSolver::meetsSleeper(std::uint32_t row, std::uint32_t shape, std::uint32_t other, real end)
+{
+    const ShapeRow& sleeper = stage_.world.shapes.rows[other];
+    const Motion& m = motion(row);
+    const Motion still = motionOf(stage_.world.bodies.rows[sleeper.body], sleeper.body);
+    const Position origin = originOf(m, still);
+    const real restGap =
+        stage_.world.restGap * minimum(stage_.world.shapes.rows[shape].convex.size, sleeper.convex.size);
+    const SweptPair pair{stage_.world.shapes.rows[shape].convex, sleeper.convex, pathOf(row, origin),
+                         predictedPath(still, origin, context_.invH), restGap};
+    return mayMeet(pair, scratch_.flights[row].clock, end, context_);
 }
 
 bool ImpactSolver::isKnown(std::uint32_t row, const ShapePair& pair)

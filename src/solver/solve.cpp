@@ -112,8 +112,10 @@ SolverCounts solve(SolverStage& stage, const StepContext& context)
     scratch.impacts.tree.clear();  // the boxes are new
     std::vector<Motion>& rows = stage.motions.rows;
     std::uint32_t groups = 0;
-    ImpactStage impacts{stage.world,   stage.motions,   stage.contacts, stage.boxes,     scratch.kicks,
-                        stage.impacts, scratch.impacts, counts.clamps,  counts.repaired, groups};
+    ImpactStage impacts{stage.world,     stage.field,   stage.resting,    stage.asleep,
+                        stage.islands,   stage.motions, stage.contacts,   stage.boxes,
+                        scratch.kicks,   stage.impacts, scratch.impacts,  counts.clamps,
+                        counts.repaired, groups,        counts.lawFaults, stage.roused};
 
     for (Motion& m : rows) {
         const BodyRow& body = stage.world.bodies.rows[m.body];
@@ -122,7 +124,7 @@ SolverCounts solve(SolverStage& stage, const StepContext& context)
     }
     forgetSums(stage);
     scratch.ways.assign(rows.size(), {});
-    const bool varies = stage.field.varies(stage.world.bodies);
+    bool varies = stage.field.varies(stage.motions, stage.world.bodies);
 
     Stopwatch watch;
     for (int tick = 0; tick < context.ticks; ++tick) {
@@ -137,6 +139,10 @@ SolverCounts solve(SolverStage& stage, const StepContext& context)
         resweepForTick(impacts, scratch.ways, context);
         gatherSteady(stage, context);
         applyImpacts(impacts, context, tick);
+        scratch.changes.resize(rows.size());  // for those that came in
+        scratch.pushes.resize(rows.size());
+        scratch.ways.resize(rows.size());
+        if (!stage.roused.empty()) varies = stage.field.varies(stage.motions, stage.world.bodies);
         counts.impactTime += watch.lap();
 
         // First kick, contacts.

@@ -26,11 +26,14 @@ struct SolverScratch {
 struct SolverStage {
     const ContactWorld& world;
     const ForceField& field;
-    const Islands& islands;
+    const RestTrees& resting;
+    const SleepTable& asleep;
+    Islands& islands;
     MotionTable& motions;
     ContactTable& contacts;
     std::vector<SweepBox>& boxes;
     std::vector<ImpactRecord>& impacts;   ///< filled
+    std::vector<std::uint32_t>& roused;   ///< filled: sleeping groups that woke in mid-step
     SolverScratch& scratch;
 };
 

@@ -44,6 +44,7 @@ World* Body::alive() const
 // The row, or a fresh one that nobody keeps when a dead handle was let pass by the error handler.
 #define TAMIAS_BODY_ROW(name)                                                                                \
     World* const w = alive();                                                                                \
+    if (w) w->impl_->settleMass(id_.index);                                                                  \
     BodyRow& name = w ? w->impl_->row(id_) : deadBodyRow()
 
 BodyDef Body::definition() const
@@ -64,6 +65,8 @@ BodyDef Body::definition() const
     def.lockY = b.lockY;
     def.lockRotation = b.lockRotation;
     def.enabled = b.enabled;
+    def.allowSleep = b.allowSleep;
+    def.awake = !b.isAsleep();
     def.name = b.name;
     def.userData = b.userData;
     return def;
@@ -84,10 +87,16 @@ void Body::setType(BodyType type)
     if (w && type == BodyType::Dynamic && !b.massIsSet &&
         refuse(checkMass("type", textOf(number), w->impl_->massOfShapes(b))))
         return;
+    if (!w || type == b.type) return;
+    w->impl_->disturb(id_.index);
+    w->impl_->tally(b, false);
     b.type = type;
-    if (type != BodyType::Static) return;
-    b.velocity = {};
-    b.spin = 0;
+    if (type == BodyType::Static) {
+        b.velocity = {};
+        b.spin = 0;
+    }
+    w->impl_->tally(b, true);
+    w->impl_->refreshPart(id_.index);
 }
 
 const std::string& Body::name() const
@@ -123,7 +132,60 @@ bool Body::isEnabled() const
 void Body::setEnabled(bool enabled)
 {
     TAMIAS_BODY_ROW(b);
+    if (!w || enabled == b.enabled) return;
+    World::Impl& impl = *w->impl_;
+    impl.disturb(id_.index);
+    impl.tally(b, false);
     b.enabled = enabled;
+    impl.tally(b, true);
+    impl.refreshPart(id_.index);
+    if (!enabled)
+        impl.displaceAll(id_.index);
+    else if (!b.takesPart)
+        impl.placeAll(id_.index, true);
+}
+
+// --- sleep
+
+bool Body::isAwake() const
+{
+    TAMIAS_BODY_ROW(b);
+    if (w) w->impl_->settle();
+    return b.takesPart;
+}
+
+bool Body::isAsleep() const
+{
+    TAMIAS_BODY_ROW(b);
+    if (w) w->impl_->settle();
+    return b.isAsleep();
+}
+
+void Body::wake()
+{
+    TAMIAS_BODY_ROW(b);
+    if (!w) return;
+    b.stillTime = 0;
+    w->impl_->wake(id_.index);
+}
+
+bool Body::sleep()
+{
+    World* const w = alive();
+    return w && w->impl_->sleepNow(id_.index);
+}
+
+bool Body::allowsSleep() const
+{
+    TAMIAS_BODY_ROW(b);
+    return b.allowSleep;
+}
+
+void Body::setAllowSleep(bool allow)
+{
+    TAMIAS_BODY_ROW(b);
+    if (w && !allow) w->impl_->wake(id_.index);
+    b.allowSleep = allow;
 }
 
 // --- where it is and how it moves
@@ -181,12 +243,15 @@ void Body::setTransform(Position position, double angle)
             .finite("angle", angle, "must be finite rad")
             .refuse())
         return;
+    const bool moves = w && (position != b.origin() || wrapAngle(angle) != b.angle);
+    if (moves) w->impl_->disturb(id_.index);
     b.angle = wrapAngle(angle);
     b.rotation = Rot::ofAngle(b.angle);
     b.center = position + toDVec2(rotate(b.rotation, b.localCenter));
     b.previousCenter = b.center;
     b.previousAngle = b.angle;
     b.previousLocalCenter = b.localCenter;
+    if (moves && b.enabled && !b.takesPart) w->impl_->placeAll(id_.index, true);
 }
 
 void Body::setLinearVelocity(Vec2 velocity)
@@ -194,14 +259,20 @@ void Body::setLinearVelocity(Vec2 velocity)
     TAMIAS_BODY_ROW(b);
     const real unit = w ? w->impl_->settings.lengthUnit : real(1);
     if (refuse(checkVelocity("linearVelocity", velocity, unit))) return;
-    if (b.type != BodyType::Static) b.velocity = velocity;
+    if (!w || b.type == BodyType::Static || velocity == b.velocity) return;
+    w->impl_->disturb(id_.index);
+    b.velocity = velocity;
+    w->impl_->refreshPart(id_.index);
 }
 
 void Body::setAngularVelocity(real velocity)
 {
     TAMIAS_BODY_ROW(b);
     if (refuse(checkSpin("angularVelocity", velocity))) return;
-    if (b.type != BodyType::Static) b.spin = velocity;
+    if (!w || b.type == BodyType::Static || velocity == b.spin) return;
+    w->impl_->disturb(id_.index);
+    b.spin = velocity;
+    w->impl_->refreshPart(id_.index);
 }
 
 Transform Body::interpolated(double alpha) const
@@ -240,6 +311,7 @@ void Body::setMass(const MassProperties& mass)
 {
     TAMIAS_BODY_ROW(b);
     if (!w || refuse(check(mass, w->impl_->settings.lengthUnit))) return;
+    w->impl_->disturb(id_.index);
     const Position origin = b.origin();
     const Vec2 before = b.localCenter;
     b.massIsSet = true;
@@ -254,6 +326,7 @@ void Body::resetMass()
     if (!w) return;
     const MassSum sum = w->impl_->massOfShapes(b);
     if (b.isDynamic() && refuse(checkMass("mass", textOf(sum.mass), sum))) return;
+    w->impl_->disturb(id_.index);
     b.massIsSet = false;
     w->impl_->updateMass(id_.index);
 }
@@ -266,6 +339,7 @@ void Body::applyForce(Vec2 force, Position at)
     const real unit = w ? w->impl_->settings.lengthUnit : real(1);
     if (Checks().finite("force", force, "must be finite N").add(checkPosition("at", at, unit)).refuse())
         return;
+    if (w && (force != Vec2{})) w->impl_->forceComes(id_.index);
     b.stepForce += force;
     b.stepTorque += cross(toVec2(at - b.center), force);
 }
@@ -274,6 +348,7 @@ void Body::applyForceToCenter(Vec2 force)
 {
     TAMIAS_BODY_ROW(b);
     if (refuse(checkFinite("force", force, "must be finite N"))) return;
+    if (w && (force != Vec2{})) w->impl_->forceComes(id_.index);
     b.stepForce += force;
 }
 
@@ -281,6 +356,7 @@ void Body::applyTorque(real torque)
 {
     TAMIAS_BODY_ROW(b);
     if (refuse(checkFinite("torque", torque, "must be finite N*m"))) return;
+    if (w && torque != 0) w->impl_->forceComes(id_.index);
     b.stepTorque += torque;
 }
 
@@ -293,6 +369,7 @@ void Body::applyImpulse(Vec2 impulse, Position at)
     const Vec2 velocity = velocityAfter(b, impulse);
     const real spin = b.spin + b.invInertia() * cross(toVec2(at - b.center), impulse);
     if (refuse(checkImpulse(impulse, velocity, spin, unit))) return;
+    if (w && (velocity != b.velocity || spin != b.spin)) w->impl_->disturb(id_.index);
     b.velocity = velocity;
     b.spin = spin;
 }
@@ -307,6 +384,7 @@ void Body::applyImpulseToCenter(Vec2 impulse)
             .add(checkImpulse(impulse, velocity, b.spin, unit))
             .refuse())
         return;
+    if (w && velocity != b.velocity) w->impl_->disturb(id_.index);
     b.velocity = velocity;
 }
 
@@ -320,6 +398,7 @@ void Body::applyAngularImpulse(real impulse)
             .add(checkImpulse(impulse, b.velocity, spin, unit))
             .refuse())
         return;
+    if (w && spin != b.spin) w->impl_->disturb(id_.index);
     b.spin = spin;
 }
 
@@ -327,6 +406,7 @@ std::size_t Body::addForce(const LastingForce& force)
 {
     TAMIAS_BODY_ROW(b);
     if (!w || refuse(check(force, w->impl_->settings.lengthUnit))) return 0;
+    w->impl_->disturb(id_.index);
     b.lasting.push_back(force);
     return b.lasting.size() - 1;
 }
@@ -343,12 +423,14 @@ void Body::setForce(std::size_t place, const LastingForce& force)
     if (refuse(checkThat(place < b.lasting.size(), "place", place, "must be one that addForce returned")))
         return;
     if (!w || refuse(check(force, w->impl_->settings.lengthUnit))) return;
+    w->impl_->disturb(id_.index);
     b.lasting[place] = force;
 }
 
 void Body::clearForces()
 {
     TAMIAS_BODY_ROW(b);
+    if (w && !b.lasting.empty()) w->impl_->disturb(id_.index);
     b.lasting.clear();
     b.stepForce = {};
     b.stepTorque = 0;
@@ -373,6 +455,7 @@ void Body::setLinearDamping(real damping)
 {
     TAMIAS_BODY_ROW(b);
     if (refuse(checkRange("linearDamping", damping, 0, 1e30, "must be finite and >= 0 1/s"))) return;
+    if (w && damping != b.linearDamping) w->impl_->disturb(id_.index);
     b.linearDamping = damping;
 }
 
@@ -386,6 +469,7 @@ void Body::setAngularDamping(real damping)
 {
     TAMIAS_BODY_ROW(b);
     if (refuse(checkRange("angularDamping", damping, 0, 1e30, "must be finite and >= 0 1/s"))) return;
+    if (w && damping != b.angularDamping) w->impl_->disturb(id_.index);
     b.angularDamping = damping;
 }
 
@@ -399,6 +483,7 @@ void Body::setGravityScale(real scale)
 {
     TAMIAS_BODY_ROW(b);
     if (refuse(checkFinite("gravityScale", scale))) return;
+    if (w && scale != b.gravityScale) w->impl_->disturb(id_.index);
     b.gravityScale = scale;
 }
 
@@ -412,12 +497,14 @@ void Body::setOwnGravity(std::optional<Vec2> gravity)
 {
     TAMIAS_BODY_ROW(b);
     if (refuse(checkFinite("gravity", gravity.value_or(Vec2{}), "must be finite m/s^2"))) return;
+    if (w && gravity != b.gravity) w->impl_->disturb(id_.index);
     b.gravity = gravity;
 }
 
 void Body::setLocks(bool x, bool y, bool rotation)
 {
     TAMIAS_BODY_ROW(b);
+    if (w && (x != b.lockX || y != b.lockY || rotation != b.lockRotation)) w->impl_->disturb(id_.index);
     b.lockX = x;
     b.lockY = y;
     b.lockRotation = rotation;

@@ -15,6 +15,7 @@ BodyId World::Impl::createBody(const BodyDef& def)
     b = {};
     b.type = def.type;
     b.enabled = def.enabled;
+    b.allowSleep = def.allowSleep;
     b.lockX = def.lockX;
     b.lockY = def.lockY;
     b.lockRotation = def.lockRotation;
@@ -42,12 +43,20 @@ BodyId World::Impl::createBody(const BodyDef& def)
     b.previousCenter = b.center;
     b.previousAngle = b.angle;
     b.previousLocalCenter = b.localCenter;
+    tally(b, true);
+    if (!def.awake && b.isDynamic() && maySleep())
+        makeAsleep(body.index);
+    else
+        refreshPart(body.index);
     return body;
 }
 
 void World::Impl::destroyBody(BodyId body)
 {
-    while (!row(body).shapes.empty()) destroyShape(row(body).shapes.back());
+    disturb(body.index);
+    while (!row(body).shapes.empty()) removeShape(row(body).shapes.back());
+    tally(row(body), false);
+    if (row(body).takesPart) partsAreSorted = false;
     std::erase_if(laws, [&](const PlacedLaw& placed) {
         if (placed.body != body) return false;
         lawIds.giveBack(placed.id.index);
@@ -66,18 +75,55 @@ ShapeId World::Impl::createShape(BodyId body, const ShapeDef& def)
     shapes.rows[shape.index].def = def;
     row(body).shapes.push_back(shape.index);
     rebuildConvex(shape.index);
-    updateMass(body.index);
+    BodyRow& b = row(body);
+    if (b.enabled) ++census.shapes;
+    shapeAdded(b, shape.index);
     return shape;
+}
+
+// What a new shape means for its body. One that sleeps alone, as it was made, sleeps on.
+void World::Impl::shapeAdded(BodyRow& b, std::uint32_t slot)
+{
+    const std::uint32_t body = shapes.rows[slot].body;
+    if (b.isAsleep() && !asleep.groups[b.group].contacts.empty()) wake(body);
+    b.stillTime = 0;
+    if (b.isDynamic())
+        updateMass(body);
+    else
+        makeMassStale(body);
+    if (b.enabled && !b.takesPart) place(slot, !b.isAsleep());
+}
+
+void World::Impl::makeMassStale(std::uint32_t slot)
+{
+    BodyRow& b = bodies.rows[slot];
+    if (!b.massIsStale) staleMasses.push_back(slot);
+    b.massIsStale = true;
 }
 
 void World::Impl::destroyShape(std::uint32_t slot)
 {
-    endContacts(slot);
+    disturbShape(slot);
+    removeShape(slot);
+}
+
+void World::Impl::removeShape(std::uint32_t slot)
+{
     const std::uint32_t body = shapes.rows[slot].body;
-    std::erase(bodies.rows[body].shapes, slot);
+    BodyRow& b = bodies.rows[body];
+    endContacts(slot);
+    resting.remove(slot);
+    if (b.enabled) --census.shapes;
+    if (b.shapes.back() == slot)
+        b.shapes.pop_back();
+    else
+        std::erase(b.shapes, slot);
     shapes.rows[slot] = {};
     shapes.ids.giveBack(slot);
-    updateMass(body);
+    if (b.isDynamic())
+        updateMass(body);
+    else
+        makeMassStale(body);
 }
 
 // Contacts of a shape that leaves: those that touched are told as ended.
@@ -136,6 +182,7 @@ Complaint World::Impl::checkMassWith(std::string_view field, const ShapeDef& def
 void World::Impl::updateMass(std::uint32_t slot)
 {
     BodyRow& b = bodies.rows[slot];
+    b.massIsStale = false;
     const Position origin = b.origin();
     const Vec2 before = b.localCenter;
     if (!b.massIsSet) {
@@ -155,14 +202,24 @@ void World::Impl::moveCenter(std::uint32_t slot, Position origin, Vec2 before, V
     b.localCenter = center;
     b.center = origin + toDVec2(rotate(b.rotation, center));
     b.velocity += cross(b.spin, rotate(b.rotation, center - before));
-    if (center == before) return;
-    for (const std::uint32_t s : b.shapes) rebuildConvex(s);
-    for (Contact& contact : contacts.rows) {  // anchors are seen from the center of mass
-        for (ContactPointRow& point : contact.points) {
-            if (shapes.rows[contact.shapeA].body == slot) point.anchor.localA += before - center;
-            if (shapes.rows[contact.shapeB].body == slot) point.anchor.localB += before - center;
-        }
+    if (center != before) {
+        for (const std::uint32_t s : b.shapes) rebuildConvex(s);
+        if (b.enabled && !b.takesPart) placeAll(slot, false);
+        const auto moveAnchors = [&](std::vector<Contact>& all) {  // they are seen from the center of mass
+            for (Contact& contact : all) {
+                for (ContactPointRow& point : contact.points) {
+                    if (shapes.rows[contact.shapeA].body == slot) point.anchor.localA += before - center;
+                    if (shapes.rows[contact.shapeB].body == slot) point.anchor.localB += before - center;
+                }
+            }
+        };
+        moveAnchors(contacts.rows);
+        if (b.isAsleep()) moveAnchors(asleep.groups[b.group].contacts);
+        if (!b.isDynamic() && !asleep.isEmpty())
+            for (SleepGroup& group : asleep.groups) moveAnchors(group.contacts);
     }
+    b.extent = 0;
+    for (const std::uint32_t s : b.shapes) b.extent = maximum(b.extent, shapes.rows[s].convex.extent);
 }
 
 TouchEvent World::Impl::touchEvent(const Contact& contact) const

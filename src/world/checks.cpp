@@ -67,6 +67,8 @@ Complaint check(const Tuning& t)
         .range("Tuning.impactThreshold", t.impactThreshold, 0.1, 10, "must be in [0.1, 10]")
         .range("Tuning.crowd", t.crowd, 1, 1000000, "must be in [1, 1000000]")
         .range("Tuning.impactsPerContact", t.impactsPerContact, 2, 1000, "must be in [2, 1000]")
+        .range("Tuning.sleepTime", t.sleepTime, 0, 1e6, "must be in [0, 1e6] s")
+        .range("Tuning.sleepSpeed", t.sleepSpeed, kTiny, kMaxSpeed, "must be > 0 lengthUnit/s and finite")
         .first();
 }
 
@@ -132,6 +134,9 @@ Complaint check(const BodyDef& def, real lengthUnit)
         .finite("BodyDef.gravityScale", def.gravityScale)
         .finite("BodyDef.gravity", def.gravity.value_or(Vec2{}), "must be finite m/s^2");
     if (def.mass) checks.add(check(*def.mass, lengthUnit));
+    const bool still = def.linearVelocity == Vec2{} && def.angularVelocity == 0;
+    checks.that(def.awake || def.type != BodyType::Dynamic || (def.allowSleep && still), "BodyDef.awake",
+                "false", "must be true for a body that moves or may not sleep");
     return checks.first();
 }
 

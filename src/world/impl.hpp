@@ -2,6 +2,7 @@
 #pragma once
 
 #include "base/check.hpp"
+#include "broadphase/rest_trees.hpp"
 #include "broadphase/sweep.hpp"
 #include "contacts/update.hpp"
 #include "forces/accelerations.hpp"
@@ -9,6 +10,7 @@
 #include "model/contacts.hpp"
 #include "model/motion.hpp"
 #include "model/shapes.hpp"
+#include "model/sleep.hpp"
 #include "solver/solve.hpp"
 
 #include <tamias2d/world/world.hpp>
@@ -20,6 +22,27 @@ struct MassSum {
     double mass = 0;        // [kg]
     double inertia = 0;     // about the center   [kg*m^2]
     DVec2 center;           // in the body's frame   [m]
+};
+
+/// A shape that comes to lie where it is, and whether what it meets there must wake.
+struct RestingShape {
+    std::uint32_t shape;   // slot
+    bool rouses;
+};
+
+/// What choosing who sleeps works with.
+struct SleepScratch {
+    struct Verdict {   // on a group, kept at its lowest row
+        bool restless = false, grounded = false, drifts = false;
+        std::uint32_t group = BodyRow::kNoGroup;
+    };
+    std::vector<std::uint32_t> parent;   // by row
+    std::vector<Verdict> verdicts;       // by row
+};
+
+/// How many there are, for the report.
+struct Census {
+    std::uint32_t bodies = 0, dynamicBodies = 0, shapes = 0;   // enabled, or of enabled bodies
 };
 
 /// All that one World owns.
@@ -36,9 +59,21 @@ struct World::Impl {
 
     BodyTable bodies;
     ShapeTable shapes;
-    ContactTable contacts;
+    ContactTable contacts;          // of bodies that take part
+    bool contactsAreSorted = true;
+    void sortContacts();
+    SleepTable asleep;
+    bool lawsHeldSleepers = false;  // when they were last asked
     IdPool<ForceLawId> lawIds;
     std::vector<PlacedLaw> laws;
+
+    // What holds still, for the questions of what moves and of users. Brought in line by settle().
+    RestTrees resting;                          // of enabled bodies that take no part in steps
+    std::vector<RestingShape> toPlace;          // shapes that belong there and are not there yet
+    std::vector<std::uint32_t> staleMasses;     // bodies
+    bool partsAreSorted = true;
+    std::vector<std::uint32_t> leavers;         // bodies that took part in the last step and do no more
+    Census census;
 
     // Of the last step.
     StepReport report;
@@ -48,6 +83,10 @@ struct World::Impl {
     // Scratch that keeps its memory from step to step.
     MotionTable motions;
     std::vector<SweepBox> boxes;
+    std::vector<ShapePair> restPairs;           // of a box and what holds still
+    std::vector<std::uint32_t> met;             // groups
+    std::vector<std::uint32_t> roused;          // groups
+    SleepScratch sleepScratch;
     std::vector<ShapePair> pairs;
     SweepScratch sweepScratch;
     ExpectedPaths paths;
@@ -75,7 +114,10 @@ struct World::Impl {
     BodyId createBody(const BodyDef& def);
     void destroyBody(BodyId id);
     ShapeId createShape(BodyId body, const ShapeDef& def);
+    void shapeAdded(BodyRow& body, std::uint32_t slot);
     void destroyShape(std::uint32_t slot);
+    void removeShape(std::uint32_t slot);
+    void makeMassStale(std::uint32_t bodySlot);
     void updateMass(std::uint32_t bodySlot);
     static constexpr std::uint32_t kNoShape = 0xffffffffu;
     MassSum massOfShapes(const BodyRow& body, std::uint32_t slot = kNoShape,
@@ -88,8 +130,48 @@ struct World::Impl {
     TouchEvent touchEvent(const Contact& contact) const;
     ContactView view(const Contact& contact) const;
 
+    // world/parts.cpp: who takes part in steps, and what holds still.
+    void tally(const BodyRow& body, bool comes);
+    void refreshPart(std::uint32_t bodySlot);
+    void place(std::uint32_t shapeSlot, bool rouses);
+    void placeAgain(std::uint32_t shapeSlot);
+    void placeAll(std::uint32_t bodySlot, bool rouses);
+    void displaceAll(std::uint32_t bodySlot);
+    void settleMass(std::uint32_t bodySlot);
+    void settle();
+
+    void placeEverything();
+
+    // world/world.cpp
+    template <class Holds>
+    bool anyContact(std::uint32_t bodyA, std::uint32_t bodyB, Holds holds) const;
+
+    // world/sleep.cpp: between awake and asleep.
+    bool maySleep() const { return settings.allowSleep && !(settings.gravitationConstant > 0); }
+    void makeAsleep(std::uint32_t bodySlot);
+    void wake(std::uint32_t bodySlot);
+    void wakeGroup(std::uint32_t group, bool withContacts = true);
+    void wakeAll();
+    void wakeTouching(std::uint32_t bodySlot, std::uint32_t shapeSlot = kNoShape);
+    void wakeNear(std::uint32_t shapeSlot);
+    void disturb(std::uint32_t bodySlot);
+    void disturbShape(std::uint32_t shapeSlot);
+    void forceComes(std::uint32_t bodySlot);
+    bool sleepNow(std::uint32_t bodySlot);
+    void askLaws(const SleepGroup& group, double at, std::vector<std::array<double, 3>>& answers,
+                 std::uint32_t& faults) const;
+    void noteLaws(std::uint32_t group, double at);
+    void wakeByLaws(std::uint32_t& faults);
+    void fallAsleep(const StepContext& context);
+    void storeContacts();
+
+    // world/gather.cpp: the bodies of a step, and who may meet.
+    std::uint32_t gather(const ForceField& forces, const StepContext& context);
+
     // world/step.cpp
     StepReport step(double dt, int substeps);
+    void rememberLeavers();
+    void setAside();
 };
 
 // world/checks.cpp: what is wrong with a definition, if anything.

@@ -29,6 +29,7 @@ World* Shape::alive() const
 // The row, or a fresh one that nobody keeps when a dead handle was let pass by the error handler.
 #define TAMIAS_SHAPE_ROW(name)                                                                               \
     World* const w = alive();                                                                                \
+    if (w) w->impl_->settleMass(w->impl_->shapes.rows[id_.index].body);                                      \
     ShapeRow& name = w ? w->impl_->shapes.rows[id_.index] : deadShapeRow()
 
 BodyId Shape::body() const
@@ -49,9 +50,11 @@ void Shape::redefine(const ShapeDef& def)
     if (!w || refuse(check(def, w->impl_->settings.lengthUnit)) ||
         refuse(w->impl_->checkMassWith("ShapeDef.density", def, s.body, id_.index)))
         return;
+    w->impl_->disturb(s.body);
     s.def = def;
     w->impl_->rebuildConvex(id_.index);
     w->impl_->updateMass(s.body);
+    w->impl_->placeAgain(id_.index);
 }
 
 const Material& Shape::material() const
@@ -64,6 +67,7 @@ void Shape::setMaterial(const Material& material)
 {
     TAMIAS_SHAPE_ROW(s);
     if (refuse(check(material))) return;
+    if (w && material != s.def.material) w->impl_->disturbShape(id_.index);
     s.def.material = material;
 }
 
@@ -76,7 +80,10 @@ Filter Shape::filter() const
 void Shape::setFilter(const Filter& filter)
 {
     TAMIAS_SHAPE_ROW(s);
+    if (!w || filter == s.def.filter) return;
+    w->impl_->disturbShape(id_.index);
     s.def.filter = filter;
+    w->impl_->placeAgain(id_.index);
 }
 
 real Shape::density() const
@@ -92,6 +99,7 @@ void Shape::setDensity(real density)
     ShapeDef def = s.def;
     def.density = density;
     if (refuse(w->impl_->checkMassWith("density", def, s.body, id_.index))) return;
+    if (density != s.def.density) w->impl_->disturb(s.body);
     s.def.density = density;
     w->impl_->updateMass(s.body);
 }

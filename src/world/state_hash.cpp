@@ -47,6 +47,9 @@ void add(Hasher& hash, const WorldDef& def)
         hash.add(value);
     for (const int value : {t.extraPasses, t.crowd, t.impactsPerContact})
         hash.add(static_cast<std::uint64_t>(value));
+    hash.add(t.sleepTime);
+    hash.add(t.sleepSpeed);
+    addFlags(hash, def.allowSleep);
 }
 
 void add(Hasher& hash, const Geometry& geometry)
@@ -86,6 +89,9 @@ void add(Hasher& hash, const ShapeDef& def)
 
 void add(Hasher& hash, const BodyRow& b)
 {
+    addFlags(hash, b.allowSleep, b.isAsleep());
+    hash.add(b.stillTime);
+    hash.add(b.stillSpeed);
     addFlags(hash, b.type, b.enabled, b.lockX, b.lockY, b.lockRotation, b.massIsSet, b.gravity.has_value());
     add(hash, b.center);
     hash.add(b.angle);
@@ -118,6 +124,8 @@ void add(Hasher& hash, const Contact& c)
 
 std::uint64_t World::stateHash() const noexcept
 {
+    impl_->settle();
+    impl_->sortContacts();
     Hasher hash;
     hash.add(impl_->time);
     hash.add(impl_->steps);
@@ -137,6 +145,12 @@ std::uint64_t World::stateHash() const noexcept
             hash.add(std::uint64_t{shape});
             add(hash, impl_->shapes.rows[shape].def);
         }
+        if (!body.isAsleep()) continue;
+        // Who wakes with it, and what they carry; told once, by the first of a group.
+        const SleepGroup& group = impl_->asleep.groups[body.group];
+        hash.add(std::uint64_t{group.bodies.front()});
+        if (group.bodies.front() == slot)
+            for (const Contact& contact : group.contacts) add(hash, contact);
     }
     for (const Contact& contact : impl_->contacts.rows) add(hash, contact);
     return hash.value();

@@ -16,64 +16,10 @@
 namespace tamias2d::inline TAMIAS_PRECISION {
 namespace {
 
-// The bodies that take part, as the solver wants them.
-void gatherMotions(const BodyTable& bodies, const ShapeTable& shapes, MotionTable& motions)
+template <class Row>
+bool byShapes(const Row& a, const Row& b)
 {
-    motions.rows.clear();
-    motions.rowOf.assign(bodies.rows.size(), MotionTable::kNone);
-    for (std::uint32_t slot = 0; slot < bodies.rows.size(); ++slot) {
-        const BodyRow& b = bodies.rows[slot];
-        if (!bodies.ids.isAlive(slot) || !b.enabled) continue;
-        Motion m;
-        m.center = b.center;
-        m.angle = b.angle;
-        m.rotation = b.rotation;
-        m.velocity = b.velocity;
-        m.spin = b.spin;
-        m.invMass = b.invMass();
-        m.invInertia = b.invInertia();
-        m.body = slot;
-        if (b.isDynamic()) {
-            if (b.lockX) m.velocity.x = 0;
-            if (b.lockY) m.velocity.y = 0;
-            if (b.lockRotation) m.spin = 0;
-        }
-        for (const std::uint32_t s : b.shapes) m.extent = maximum(m.extent, shapes.rows[s].convex.extent);
-        motions.rowOf[slot] = static_cast<std::uint32_t>(motions.rows.size());
-        motions.rows.push_back(m);
-    }
-}
-
-// The warm start of the step before, for the prediction of where bodies go.
-void predictSteady(const ContactTable& contacts, const ShapeTable& shapes, MotionTable& motions,
-                   const StepContext& context)
-{
-    for (const Contact& c : contacts.rows) {
-        const std::uint32_t a = motions.rowOf[shapes.rows[c.shapeA].body],
-                            b = motions.rowOf[shapes.rows[c.shapeB].body];
-        if (a == MotionTable::kNone || b == MotionTable::kNone) continue;
-        addSteady(c, motions.rows[a], motions.rows[b]);
-    }
-    for (Motion& m : motions.rows) limitSteady(m, context);
-}
-
-void sweepBoxes(ShapeTable& shapes, const MotionTable& motions, const StepContext& context,
-                std::vector<SweepBox>& boxes)
-{
-    boxes.clear();
-    const real dt = static_cast<real>(context.dt);
-    for (std::uint32_t slot = 0; slot < shapes.rows.size(); ++slot) {
-        if (!shapes.ids.isAlive(slot)) continue;
-        ShapeRow& shape = shapes.rows[slot];
-        const std::uint32_t row = motions.rowOf[shape.body];
-        if (row == MotionTable::kNone) continue;
-        const Motion& m = motions.rows[row];
-        const Trajectory path = predictedPath(m, m.center, context.invH);
-        const real margin = 3 * context.tuning.restGap * shape.convex.size;
-        shape.sweptBox = sweptBounds(shape.convex, path, m.center, 0, dt, margin);
-        const bool moves = m.moves() || m.velocity != Vec2{} || m.spin != 0;
-        boxes.push_back({shape.sweptBox, slot, shape.body, moves});
-    }
+    return a.shapeA != b.shapeA ? a.shapeA < b.shapeA : a.shapeB < b.shapeB;
 }
 
 // By row: can anything push it?
@@ -126,6 +72,33 @@ void markCrowds(ContactTable& contacts, const std::vector<bool>& movable, const 
 
 }  // namespace
 
+// By shapes: those of bodies that have woken stand behind all others until now.
+void World::Impl::sortContacts()
+{
+    if (!contactsAreSorted) std::sort(contacts.rows.begin(), contacts.rows.end(), byShapes<Contact>);
+    contactsAreSorted = true;
+}
+
+// Bodies that took part in the last step and do no more: it was their last, for interpolation, too.
+void World::Impl::rememberLeavers()
+{
+    for (const std::uint32_t slot : leavers)
+        if (bodies.ids.isAlive(slot) && !bodies.rows[slot].takesPart) remember(bodies.rows[slot]);
+    leavers.clear();
+}
+
+// Bodies whose values are no numbers have been disabled: they count no more.
+void World::Impl::setAside()
+{
+    for (const Motion& m : motions.rows) {
+        BodyRow& b = bodies.rows[m.body];
+        if (b.enabled) continue;
+        b.enabled = true;
+        tally(b, false);
+        b.enabled = false;
+    }
+}
+
 StepReport World::Impl::step(double dt, int substeps)
 {
     StepReport r;
@@ -137,16 +110,17 @@ StepReport World::Impl::step(double dt, int substeps)
     ForceField forces = field();
     forces.most = 2 * kMaxSpeed * static_cast<double>(settings.lengthUnit) / dt;
     forces.mostSpinRate = 2 * kMaxSpin / dt;
-    gatherMotions(bodies, shapes, motions);
-    predictSteady(contacts, shapes, motions, context);
-    r.forceLawFaults = accelerate(motions, bodies, forces, time);
+    rememberLeavers();
+    settle();
+    wakeByLaws(r.forceLawFaults);
+    r.forceLawFaults += gather(forces, context);
 
     // Who might touch.
-    sweepBoxes(shapes, motions, context, boxes);
-    sweepPairs(boxes, pairs, sweepScratch);
+    sweepPairs(boxes, restPairs, pairs, sweepScratch);
     begins.clear();
     ends.swap(endsOfDestroyed);
     endsOfDestroyed.clear();
+    sortContacts();
     const ContactWorld world = contactWorld();
     matchPairs(world, pairs, contacts.rows, [&](const Contact& contact) {
         if (contact.touching) ends.push_back(touchEvent(contact));
@@ -168,15 +142,18 @@ StepReport World::Impl::step(double dt, int substeps)
 
     // Who must be solved together, and who may be side by side.
     const std::vector<bool> movable = movableRows(motions);
-    const Islands islands = linkTouching(contacts, motions, movable, context);
+    Islands islands = linkTouching(contacts, motions, movable, context);
     markCrowds(contacts, movable, context.tuning);
     colorContacts(contacts, movable);
     r.times.graph = watch.lap();
 
     // Move.
     impacts.clear();
-    SolverStage stage{world, forces, islands, motions, contacts, boxes, impacts, solverScratch};
+    roused.clear();
+    SolverStage stage{world,    forces, resting, asleep, islands,      motions,
+                      contacts, boxes,  impacts, roused, solverScratch};
     const SolverCounts counts = solve(stage, context);
+    for (const std::uint32_t group : roused) wakeGroup(group, false);  // their contacts are here already
     r.clamps.speed += counts.clamps.speed;
     r.clamps.push += counts.clamps.push;
     r.clamps.impactsPerContact += counts.clamps.impactsPerContact;
@@ -190,12 +167,11 @@ StepReport World::Impl::step(double dt, int substeps)
     // Hand back, and say what happened.
     const FinalCounts final = finalize(motions, contacts, shapes, bodies, context);
     r.nonFinite = final.nonFinite;
+    if (r.nonFinite > 0) setAside();
     r.clamps.position = final.stopped;
     r.deepestOverlap = final.deepestOverlap;
-    const auto byShapes = [](const auto& a, const auto& b) {
-        return a.shapeA != b.shapeA ? a.shapeA < b.shapeA : a.shapeB < b.shapeB;
-    };
-    if (r.repaired > 0) std::sort(contacts.rows.begin(), contacts.rows.end(), byShapes);
+    contactsAreSorted = contactsAreSorted && r.repaired == 0 && roused.empty();
+    sortContacts();
     for (Contact& contact : contacts.rows) {
         const bool touches = isTouching(contact, context.tuning);
         if (touches && !contact.touching) begins.push_back(touchEvent(contact));
@@ -203,8 +179,8 @@ StepReport World::Impl::step(double dt, int substeps)
         contact.touching = touches;
         r.touching += touches ? 1 : 0;
     }
-    std::sort(begins.begin(), begins.end(), byShapes);
-    std::sort(ends.begin(), ends.end(), byShapes);
+    std::sort(begins.begin(), begins.end(), byShapes<TouchEvent>);
+    std::sort(ends.begin(), ends.end(), byShapes<TouchEvent>);
     hits.clear();
     std::sort(impacts.begin(), impacts.end(), [](const ImpactRecord& a, const ImpactRecord& b) {
         if (a.hit.time != b.hit.time) return a.hit.time < b.hit.time;
@@ -220,12 +196,19 @@ StepReport World::Impl::step(double dt, int substeps)
         hits.push_back(hit);
     }
 
+    // Who may rest now.
+    r.touching += asleep.touching;
+    for (const Motion& m : motions.rows) refreshPart(m.body);
+    fallAsleep(context);
+
     // Report.
     time += dt;
     ++steps;
-    r.bodies = static_cast<std::uint32_t>(motions.rows.size());
-    for (const Motion& m : motions.rows) r.dynamicBodies += bodies.rows[m.body].isDynamic() ? 1 : 0;
-    r.shapes = static_cast<std::uint32_t>(boxes.size());
+    r.bodies = census.bodies;
+    r.dynamicBodies = census.dynamicBodies;
+    r.asleep = asleep.bodies;
+    r.awake = census.dynamicBodies - asleep.bodies;
+    r.shapes = census.shapes;
     r.pairs = static_cast<std::uint32_t>(contacts.rows.size());
     r.impacts = static_cast<std::uint32_t>(impacts.size());
     r.islands = islands.count();

@@ -3,6 +3,7 @@
 #include "queries/search.hpp"
 #include "world/impl.hpp"
 
+#include <algorithm>
 #include <atomic>
 
 namespace tamias2d::inline TAMIAS_PRECISION {
@@ -138,6 +139,7 @@ const WorldDef& World::definition() const noexcept
 void World::setGravity(Vec2 gravity)
 {
     if (refuse(checkFinite("gravity", gravity, "must be finite m/s^2"))) return;
+    if (gravity != impl_->settings.gravity) impl_->wakeAll();
     impl_->settings.gravity = gravity;
 }
 
@@ -145,21 +147,33 @@ void World::setGravitationConstant(real g)
 {
     if (refuse(checkRange("gravitationConstant", g, 0, kAnyFinite, "must be finite and >= 0 m^3/(kg*s^2)")))
         return;
+    if (g != impl_->settings.gravitationConstant) impl_->wakeAll();
     impl_->settings.gravitationConstant = g;
 }
 
 void World::setTuning(const Tuning& tuning)
 {
     if (refuse(check(tuning))) return;
+    if (tuning == impl_->settings.tuning) return;
+    impl_->wakeAll();
     impl_->settings.tuning = tuning;
+    impl_->placeEverything();
 }
 
 void World::setMixingRules(MixingRule friction, MixingRule restitution)
 {
     if (refuse(checkMixingRule("frictionMixing", friction, false))) return;
     if (refuse(checkMixingRule("restitutionMixing", restitution, false))) return;
+    if (friction != impl_->settings.frictionMixing || restitution != impl_->settings.restitutionMixing)
+        impl_->wakeAll();
     impl_->settings.frictionMixing = friction;
     impl_->settings.restitutionMixing = restitution;
+}
+
+void World::setAllowSleep(bool allow)
+{
+    if (!allow) impl_->wakeAll();
+    impl_->settings.allowSleep = allow;
 }
 
 ForceLawId World::addForceLaw(ForceLaw law)
@@ -245,34 +259,51 @@ ContactView World::Impl::view(const Contact& c) const
 
 std::vector<ContactView> World::contacts() const
 {
-    std::vector<ContactView> all;
+    std::vector<const Contact*> rows;
     for (const Contact& c : impl_->contacts.rows)
-        if (c.count > 0 || c.stepImpulse != Vec2{}) all.push_back(impl_->view(c));
+        if (c.count > 0 || c.stepImpulse != Vec2{}) rows.push_back(&c);
+    for (const SleepGroup& group : impl_->asleep.groups)
+        for (const Contact& c : group.contacts) rows.push_back(&c);
+    std::sort(rows.begin(), rows.end(), [](const Contact* a, const Contact* b) {
+        return a->shapeA != b->shapeA ? a->shapeA < b->shapeA : a->shapeB < b->shapeB;
+    });
+    std::vector<ContactView> all;
+    for (const Contact* c : rows) all.push_back(impl_->view(*c));
     return all;
+}
+
+// Is there such a contact of the body? Those of one that sleeps are in its group.
+template <class Holds>
+bool World::Impl::anyContact(std::uint32_t bodyA, std::uint32_t bodyB, Holds holds) const
+{
+    for (const std::uint32_t body : {bodyA, bodyB}) {
+        if (!bodies.rows[body].isAsleep()) continue;
+        const auto& all = asleep.groups[bodies.rows[body].group].contacts;
+        if (std::any_of(all.begin(), all.end(), holds)) return true;
+    }
+    return std::any_of(contacts.rows.begin(), contacts.rows.end(), holds);
 }
 
 bool World::touching(BodyId a, BodyId b) const
 {
     if (refuse(checkAlive("a", impl_->bodies.ids.owns(a), a, "body"))) return false;
     if (refuse(checkAlive("b", impl_->bodies.ids.owns(b), b, "body"))) return false;
-    for (const Contact& c : impl_->contacts.rows) {
+    return impl_->anyContact(a.index, b.index, [&](const Contact& c) {
         const std::uint32_t first = impl_->shapes.rows[c.shapeA].body,
                             second = impl_->shapes.rows[c.shapeB].body;
-        if (c.touching &&
-            ((first == a.index && second == b.index) || (first == b.index && second == a.index)))
-            return true;
-    }
-    return false;
+        return c.touching &&
+               ((first == a.index && second == b.index) || (first == b.index && second == a.index));
+    });
 }
 
 bool World::touching(ShapeId a, ShapeId b) const
 {
     if (refuse(checkAlive("a", impl_->shapes.ids.owns(a), a, "shape"))) return false;
     if (refuse(checkAlive("b", impl_->shapes.ids.owns(b), b, "shape"))) return false;
-    for (const Contact& c : impl_->contacts.rows)
-        if (c.touching && c.shapeA == minimum(a.index, b.index) && c.shapeB == maximum(a.index, b.index))
-            return true;
-    return false;
+    const std::uint32_t bodyA = impl_->shapes.rows[a.index].body, bodyB = impl_->shapes.rows[b.index].body;
+    return impl_->anyContact(bodyA, bodyB, [&](const Contact& c) {
+        return c.touching && c.shapeA == minimum(a.index, b.index) && c.shapeB == maximum(a.index, b.index);
+    });
 }
 
 Energy World::energy() const
@@ -289,6 +320,7 @@ Momentum World::momentum() const
 std::vector<ShapeId> World::queryPoint(Position point, const Filter& filter) const
 {
     if (refuse(checkFinite("point", point, "must be finite m"))) return {};
+    impl_->settle();
     return shapesAt({impl_->bodies, impl_->shapes, filter}, point);
 }
 
@@ -301,6 +333,7 @@ std::vector<ShapeId> World::queryBox(const Aabb& box, const Filter& filter) cons
                   "must not exceed box.upper")
             .refuse())
         return {};
+    impl_->settle();
     return shapesIn({impl_->bodies, impl_->shapes, filter}, box);
 }
 
@@ -315,6 +348,7 @@ std::vector<RayHit> World::castRayAll(Position from, Position to, const Filter& 
 {
     if (Checks().finite("from", from, "must be finite m").finite("to", to, "must be finite m").refuse())
         return {};
+    impl_->settle();
     return shapesAlong({impl_->bodies, impl_->shapes, filter}, from, to);
 }
 

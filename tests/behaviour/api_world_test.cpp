@@ -143,6 +143,8 @@ TEST(World, HasSettingsThatCanChange)
     tuning.restGap = toReal(0.01);
     tuning.crowd = 9;
     tuning.impactsPerContact = 7;
+    tuning.sleepTime = 2;
+    tuning.sleepSpeed = toReal(0.1);
     world.setTuning(tuning);
     EXPECT_EQ(world.definition().gravity, vec(1, 2));
     EXPECT_EQ(world.definition().gravitationConstant, real(3));

@@ -30,6 +30,8 @@ const std::vector<BadNumber<Tuning>> kTuningFields = {
     {"impactsPerContact",
      {INT_MIN, -1, 0, 1, 1001, INT_MAX},
      [](Tuning& t, double x) { t.impactsPerContact = static_cast<int>(x); }},
+    {"sleepTime", notFiniteAnd({-0.01, 1.1e6}), [](Tuning& t, double x) { t.sleepTime = toReal(x); }},
+    {"sleepSpeed", kNotPositive, [](Tuning& t, double x) { t.sleepSpeed = toReal(x); }},
 };
 
 const std::vector<BadNumber<WorldDef>> kWorldDefFields = {

@@ -119,6 +119,23 @@ void forces(World& world)
     world.addForceLaw(drag(0.01, 0.002));
 }
 
+// Stacks that have fallen asleep, one hit by a ball, another thrown at it in mid-step; all sleep again by the
+// end.
+void sleepers(World& world)
+{
+    addFloor(world);
+    for (int i = 0; i < 30; ++i) {
+        Body box = world.createBody({.position = {double(i % 6) * 1.5 - 4, 0.501 + double(i / 6) * 1.001}});
+        box.createShape({.geometry = makeBox(1, 1)});
+    }
+    for (int i = 0; i < 150; ++i) world.step();
+    const Material elastic = {.restitution = 1};
+    Body ball = world.createBody({.position = {-8, 2}, .linearVelocity = {300, 0}});
+    ball.createShape({.geometry = Circle{.radius = real(0.3)}, .material = elastic});
+    Body other = world.createBody({.position = {-6, 2}, .awake = false});
+    other.createShape({.geometry = Circle{.radius = real(0.3)}, .material = elastic});
+}
+
 void print(const char* name, void (*fill)(World&))
 {
     World world;
@@ -135,4 +152,5 @@ int main()
     print("polygons", polygons);
     print("machines", machines);
     print("forces", forces);
+    print("sleepers", sleepers);
 }

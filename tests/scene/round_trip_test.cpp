@@ -27,6 +27,9 @@ std::unique_ptr<World> strangeWorld()
     def.tuning.restGap = toReal(0.002);
     def.tuning.crowd = 20;
     def.tuning.impactsPerContact = 70;
+    def.tuning.sleepTime = toReal(0.7);
+    def.tuning.sleepSpeed = toReal(0.003);
+    def.allowSleep = false;
     auto world = std::make_unique<World>(def);
 
     BodyDef body;
@@ -43,6 +46,7 @@ std::unique_ptr<World> strangeWorld()
     body.lockX = true;
     body.lockRotation = true;
     body.enabled = false;
+    body.allowSleep = false;
     body.name = "a \"quoted\" </name>, with \xc3\xa4";
     body.userData = std::numeric_limits<std::uint64_t>::max();
     Body first = world->createBody(body);

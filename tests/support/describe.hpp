@@ -53,8 +53,8 @@ inline void write(std::ostream& out, const BodyDef& def)
     out << "body \"" << def.name << "\" type " << int(def.type) << " at " << def.position << " angle "
         << def.angle << " velocity " << def.linearVelocity << " spin " << def.angularVelocity << " damping "
         << def.linearDamping << ' ' << def.angularDamping << " gravity " << def.gravityScale << " locks "
-        << def.lockX << def.lockY << def.lockRotation << " enabled " << def.enabled << " data "
-        << def.userData;
+        << def.lockX << def.lockY << def.lockRotation << " enabled " << def.enabled << " sleep "
+        << def.allowSleep << " awake " << def.awake << " data " << def.userData;
     if (def.gravity) out << " own gravity " << *def.gravity;
     if (def.mass) out << " mass " << def.mass->mass << def.mass->center << ' ' << def.mass->inertia;
     out << '\n';
@@ -67,7 +67,8 @@ inline void write(std::ostream& out, const WorldDef& def)
         << " mixing " << int(def.frictionMixing) << ' ' << int(def.restitutionMixing) << " tuning "
         << t.restGap << ' ' << t.touchingFactor << ' ' << t.pushRate << ' ' << t.pushSpeed << ' '
         << t.pushSlack << ' ' << t.extraPasses << ' ' << t.restless << ' ' << t.calmRate << ' ' << t.calmSpeed
-        << ' ' << t.impactThreshold << ' ' << t.crowd << ' ' << t.impactsPerContact << '\n';
+        << ' ' << t.impactThreshold << ' ' << t.crowd << ' ' << t.impactsPerContact << ' ' << t.sleepTime
+        << ' ' << t.sleepSpeed << " sleep " << def.allowSleep << '\n';
 }
 
 /// The world, its laws, bodies, lasting forces and shapes.

@@ -29,6 +29,7 @@ struct WorldDef {
     real lengthUnit = 1;  ///< the length of a typical body; scales Tuning and the bounds   [m]   > 0
     MixingRule frictionMixing = MixingRule::GeometricMean;  ///< not MixingRule::World
     MixingRule restitutionMixing = MixingRule::Maximum;  ///< not MixingRule::World
+    bool allowSleep = true;  ///< bodies at rest fall asleep: they cost nothing until something happens
     Tuning tuning = {};
 };
 
@@ -60,6 +61,9 @@ struct BodyDef {
     bool lockY = false;  ///< never moves along y
     bool lockRotation = false;  ///< never turns
     bool enabled = true;  ///< a disabled body neither moves nor collides
+    bool allowSleep = true;  ///< it may fall asleep; one that may not keeps all it touches awake
+    /// False: a dynamic body sleeps as it is made. It must be at rest; in a World without sleep it is awake.
+    bool awake = true;
     std::string name = {};  ///< for messages, scene files and findBody; need not be unique
     std::uint64_t userData = 0;  ///< yours
 };

@@ -30,16 +30,18 @@ struct StepReport {
     int substeps = 0;
     std::uint32_t bodies = 0;            ///< enabled ones
     std::uint32_t dynamicBodies = 0;
-    std::uint32_t shapes = 0;
-    std::uint32_t pairs = 0;             ///< of shapes whose swept boxes overlap
+    std::uint32_t awake = 0;             ///< dynamic ones that take part in steps
+    std::uint32_t asleep = 0;            ///< dynamic ones at rest, which cost nothing
+    std::uint32_t shapes = 0;            ///< of enabled bodies
+    std::uint32_t pairs = 0;             ///< of shapes whose swept boxes overlap, one of a body awake
     std::uint32_t sweptPairs = 0;        ///< looked at again in every tick (half sub-step)
-    std::uint32_t touching = 0;          ///< contacts that touch at the end
+    std::uint32_t touching = 0;          ///< contacts that touch at the end, asleep or not
     std::uint32_t impacts = 0;           ///< impulses at their time of impact
     std::uint32_t repaired = 0;  ///< pairs added because an impact threw a body out of its swept box
     std::uint32_t islands = 0;  ///< groups of movable bodies that touch or bear each other; one alone counts
     std::uint32_t nonFinite = 0;  ///< bodies set aside (disabled) as a value of theirs was no number
     std::uint32_t forceLawFaults = 0;  ///< force laws that threw or returned no number
-    double deepestOverlap = 0;  ///< at the end of the step   [m]   >= 0
+    double deepestOverlap = 0;  ///< of bodies awake, at the end of the step   [m]   >= 0
     ClampCounts clamps;
     StageTimes times;
 };

@@ -83,6 +83,22 @@ public:
     bool isEnabled() const;
     void setEnabled(bool enabled);           ///< a disabled body neither moves nor collides
 
+    // --- sleep: bodies at rest cost nothing. What changes a body, or what it rests on, wakes it and all
+    // that fell asleep with it; questions do not, nor do calls that change nothing.
+    /// Does it take part in steps? Static and disabled bodies do not, nor kinematic ones at rest.
+    bool isAwake() const;
+    /// Is it a dynamic body at rest, which costs nothing until something happens?
+    bool isAsleep() const;
+    /// Wakes it with all that fell asleep with it.
+    void wake();
+    /// Puts it to sleep as it is, with all it touches and they touch; what speed they have is lost.
+    /// False, and nothing happens, if one of them may not sleep or rests on what moves, or the World
+    /// has no sleep.
+    bool sleep();
+    bool allowsSleep() const;
+    /// One that may not keeps all it touches awake.
+    void setAllowSleep(bool allow);
+
     // --- where it is and how it moves
     Transform transform() const;             ///< of the body's origin                      [m, rad]
     Position position() const;               ///< of the body's origin                      [m]
@@ -177,6 +193,8 @@ public:
     void setGravity(Vec2 gravity);  ///< [m/s^2]
     void setGravitationConstant(real g);  ///< [m^3/(kg*s^2)]   >= 0
     void setTuning(const Tuning& tuning);
+    /// False wakes all.
+    void setAllowSleep(bool allow);
     void setMixingRules(MixingRule friction, MixingRule restitution);  ///< not MixingRule::World
     ForceLawId addForceLaw(ForceLaw law);  ///< on every dynamic body
     void removeForceLaw(ForceLawId id);

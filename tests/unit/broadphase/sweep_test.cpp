@@ -31,7 +31,7 @@ TEST(Sweep, FindsThePairsThatComparingAllWithAllFinds)
         const std::vector<ShapePair> expected = pairsByBruteForce(boxes);
         std::vector<ShapePair> pairs;
         SweepScratch scratch;
-        sweepPairs(boxes, pairs, scratch);
+        sweepPairs(boxes, {}, pairs, scratch);
         EXPECT_EQ(pairs, expected) << "seed " << seed << ": " << pairs.size() << " pairs instead of "
                                    << expected.size();
     }
@@ -79,7 +79,7 @@ TEST(Sweep, FindsThemHoweverTheWorldIsLaidOut)
     SweepScratch scratch;
     for (const auto& [name, boxes] : worlds) {
         std::vector<ShapePair> pairs;
-        sweepPairs(boxes, pairs, scratch);
+        sweepPairs(boxes, {}, pairs, scratch);
         EXPECT_EQ(pairs, pairsByBruteForce(boxes)) << name;
     }
 }
@@ -91,8 +91,8 @@ TEST(Sweep, ForgetsTheOrderInWhichBoxesWereGiven)
     std::reverse(backward.begin(), backward.end());
     std::vector<ShapePair> one, other;
     SweepScratch scratch;
-    sweepPairs(forward, one, scratch);
-    sweepPairs(backward, other, scratch);
+    sweepPairs(forward, {}, one, scratch);
+    sweepPairs(backward, {}, other, scratch);
     EXPECT_EQ(one, other);
 }
 
@@ -103,7 +103,7 @@ TEST(Sweep, TouchingEdgesAreAPairAndBoxesAtRestAreNone)
         {{{0, 0}, {1, 1}}, 0, 0, true}, {{{1, 0}, {2, 1}}, 1, 1, false}, {{{1.5, 0}, {3, 1}}, 2, 2, false}};
     std::vector<ShapePair> pairs;
     SweepScratch scratch;
-    sweepPairs(boxes, pairs, scratch);
+    sweepPairs(boxes, {}, pairs, scratch);
     EXPECT_EQ(pairs, (std::vector<ShapePair>{{0, 1}}));
 }
 

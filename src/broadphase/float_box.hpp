@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <tamias2d/geometry/aabb.hpp>
+#include <tamias2d/math/scalar.hpp>
+
+#include <cmath>
+#include <limits>
+
+namespace tamias2d::inline TAMIAS_PRECISION {
+
+/// The greatest float at most `x`. What is no number is bounded by the greatest ones, so that an order of
+/// boxes stays one.
+inline float floatBelow(double x)
+{
+    constexpr float kFloatMax = std::numeric_limits<float>::max();
+    constexpr double kMost = static_cast<double>(kFloatMax);
+    if (!(x > -kMost)) return -kFloatMax;
+    const float rounded = static_cast<float>(minimum(x, kMost));
+    return static_cast<double>(rounded) <= x ? rounded : std::nextafter(rounded, -kFloatMax);
+}
+inline float floatAbove(double x)
+{
+    return -floatBelow(-x);
+}
+
+/// A box in half the room, its bounds rounded outwards.
+struct FloatBox {
+    float left, bottom, right, top;   // [m]
+
+    static FloatBox of(const Aabb& box)
+    {
+        return {floatBelow(box.lower.x), floatBelow(box.lower.y), floatAbove(box.upper.x),
+                floatAbove(box.upper.y)};
+    }
+};
+
+inline bool overlaps(const FloatBox& a, const FloatBox& b)
+{
+    return a.left <= b.right && b.left <= a.right && a.bottom <= b.top && b.bottom <= a.top;
+}
+inline FloatBox merged(const FloatBox& a, const FloatBox& b)
+{
+    return {minimum(a.left, b.left), minimum(a.bottom, b.bottom), maximum(a.right, b.right),
+            maximum(a.top, b.top)};
+}
+
+}  // namespace tamias2d::inline TAMIAS_PRECISION

@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: MIT
+// An impact may throw a body at what nothing was expected to reach in the step: grounds that have no row yet,
+// and groups that sleep. They come in as they are at the start of the tick.
+
+#include "solver/newcomers.hpp"
+
+#include "contacts/rows.hpp"
+
+namespace tamias2d::inline TAMIAS_PRECISION {
+
+void enter(ImpactStage& stage, std::uint32_t body, const StepContext& context)
+{
+    std::vector<Motion>& rows = stage.motions.rows;
+    stage.motions.rowOf[body] = static_cast<std::uint32_t>(rows.size());
+    rows.push_back(motionOf(stage.world.bodies.rows[body], body));
+    stage.islands.islandOf.push_back(Islands::kNone);
+    stage.kicks.emplace_back();
+    stage.scratch.flights.push_back(flightOf(rows.back(), context.invH));
+    stage.scratch.reach.push_back(fastestPoint(stage.scratch.flights.back(), rows.back(), context.h));
+}
+
+namespace {
+
+// As a contact that has been in the step from the start is at this point of a tick.
+void bringIn(ImpactStage& stage, Contact c)
+{
+    std::vector<Motion>& rows = stage.motions.rows;
+    Motion &a = rows[c.rowA], &b = rows[c.rowB];
+    c.stepImpulse = {};
+    c.impacts = 0;
+    c.fastestImpact = 0;
+    prepareContact(c, a, b);
+    addSteady(c, a, b);
+    for (ContactPointRow& point : c.points) {
+        point.stepNormal = point.stepTangent = point.pushImpulse = 0;
+        point.wasLoaded = point.normalImpulse > 0;
+    }
+    for (int i = 0; i < c.count; ++i)
+        if (c.points[i].wasLoaded) a.loaded = b.loaded = true;
+    stage.contacts.order.push_back(static_cast<std::uint32_t>(stage.contacts.rows.size()));
+    stage.contacts.rows.push_back(c);
+}
+
+}  // namespace
+
+void rouse(ImpactStage& stage, std::uint32_t group, const StepContext& context, double time)
+{
+    const SleepGroup& sleepers = stage.asleep.groups[group];
+    MotionTable& motions = stage.motions;
+    const std::uint32_t island = stage.islands.count();
+    stage.islands.groundOf.push_back(Islands::kNone);
+    stage.islands.sizeOf.push_back(static_cast<std::uint32_t>(sleepers.bodies.size()));
+    for (const std::uint32_t body : sleepers.bodies) {
+        enter(stage, body, context);
+        Motion& m = motions.rows.back();
+        const BodyRow& b = stage.world.bodies.rows[body];
+        if (m.moves()) stage.islands.islandOf.back() = island;
+        m.damping = makeDamping(m.moves() ? b.linearDamping : real(0), context.h);
+        m.spinDamping = makeDamping(m.moves() ? b.angularDamping : real(0), context.h);
+        stage.lawFaults += accelerateOne(m, stage.world.bodies, stage.field, time);
+    }
+    for (Contact c : sleepers.contacts) {
+        for (const std::uint32_t shape : {c.shapeA, c.shapeB}) {
+            const std::uint32_t body = stage.world.shapes.rows[shape].body;
+            if (motions.rowOf[body] == MotionTable::kNone) enter(stage, body, context);
+        }
+        c.rowA = motions.rowOf[stage.world.shapes.rows[c.shapeA].body];
+        c.rowB = motions.rowOf[stage.world.shapes.rows[c.shapeB].body];
+        bringIn(stage, c);
+        // Whatever they rest on holds still, so one of several grounds stands for all.
+        const bool onA = !motions.rows[c.rowA].moves(), onB = !motions.rows[c.rowB].moves();
+        if (onA || onB) stage.islands.groundOf[island] = onA ? c.rowA : c.rowB;
+    }
+    for (const std::uint32_t body : sleepers.bodies) {
+        const std::uint32_t row = motions.rowOf[body];
+        limitSteady(motions.rows[row], context);
+        stage.scratch.flights[row] = flightOf(motions.rows[row], context.invH);
+        stage.scratch.reach[row] = fastestPoint(stage.scratch.flights[row], motions.rows[row], context.h);
+    }
+    stage.roused.push_back(group);
+}
+
+}  // namespace tamias2d::inline TAMIAS_PRECISION

@@ -1,0 +1,141 @@
+// SPDX-License-Identifier: MIT
+// The opening of a step: the bodies that take part, where they are expected to go, what holds still on their
+// way, and who must wake for them.
+
+#include "contacts/rows.hpp"
+#include "contacts/update.hpp"
+#include "world/impl.hpp"
+
+#include <algorithm>
+
+namespace tamias2d::inline TAMIAS_PRECISION {
+namespace {
+
+void forgetRows(MotionTable& motions, std::size_t bodies)
+{
+    for (const Motion& m : motions.rows) motions.rowOf[m.body] = MotionTable::kNone;
+    motions.rowOf.resize(bodies, MotionTable::kNone);
+    motions.rows.clear();
+}
+
+void addRow(MotionTable& motions, const BodyTable& bodies, std::uint32_t slot)
+{
+    motions.rowOf[slot] = static_cast<std::uint32_t>(motions.rows.size());
+    motions.rows.push_back(motionOf(bodies.rows[slot], slot));
+}
+
+// The bodies that take part. Under gravitation all do, as each pulls the others.
+void gatherMotions(const BodyTable& bodies, bool all, MotionTable& motions)
+{
+    forgetRows(motions, bodies.rows.size());
+    for (const std::uint32_t slot : bodies.parts) addRow(motions, bodies, slot);
+    motions.parts = static_cast<std::uint32_t>(motions.rows.size());
+    if (!all) return;
+    for (std::uint32_t slot = 0; slot < bodies.rows.size(); ++slot)
+        if (bodies.ids.isAlive(slot) && bodies.rows[slot].enabled && !bodies.rows[slot].takesPart)
+            addRow(motions, bodies, slot);
+}
+
+// The warm start of the step before, for the prediction of where bodies go.
+void predictSteady(const ContactTable& contacts, const BodyTable& bodies, const ShapeTable& shapes,
+                   MotionTable& motions, const StepContext& context)
+{
+    Motion still;
+    for (const Contact& c : contacts.rows) {
+        const std::uint32_t bodyA = shapes.rows[c.shapeA].body, bodyB = shapes.rows[c.shapeB].body;
+        if (!bodies.rows[bodyA].enabled || !bodies.rows[bodyB].enabled) continue;
+        const std::uint32_t a = motions.rowOf[bodyA], b = motions.rowOf[bodyB];
+        addSteady(c, a == MotionTable::kNone ? still : motions.rows[a],
+                  b == MotionTable::kNone ? still : motions.rows[b]);
+    }
+    for (Motion& m : motions.rows) limitSteady(m, context);
+}
+
+void sweepBoxes(const BodyTable& bodies, ShapeTable& shapes, const MotionTable& motions,
+                const StepContext& context, std::vector<SweepBox>& boxes)
+{
+    boxes.clear();
+    const real dt = static_cast<real>(context.dt);
+    for (std::uint32_t row = 0; row < motions.parts; ++row) {
+        const Motion& m = motions.rows[row];
+        const Trajectory path = predictedPath(m, m.center, context.invH);
+        const bool moves = m.moves() || m.velocity != Vec2{} || m.spin != 0;
+        for (const std::uint32_t slot : bodies.rows[m.body].shapes) {
+            ShapeRow& shape = shapes.rows[slot];
+            const real margin = 3 * context.tuning.restGap * shape.convex.size;
+            shape.sweptBox = sweptBounds(shape.convex, path, m.center, 0, dt, margin);
+            boxes.push_back({shape.sweptBox, slot, m.body, moves});
+        }
+    }
+}
+
+// Does a moving shape meet one that sleeps?
+bool meets(const ContactWorld& world, const ShapePair& pair, const StepContext& context)
+{
+    Contact contact = makeContact(world, pair);
+    const auto motionAt = [&](std::uint32_t shape) {
+        const std::uint32_t body = world.shapes.rows[shape].body, row = world.motions.rowOf[body];
+        return row != MotionTable::kNone ? world.motions.rows[row] : motionOf(world.bodies.rows[body], body);
+    };
+    const Motion a = motionAt(pair.a), b = motionAt(pair.b);
+    const SweptPair ways = sweptPairOf(contact, world.shapes, a, b, context.invH);
+    return mayMeet(ways, 0, static_cast<real>(context.dt), context);
+}
+
+void sortUnique(std::vector<std::uint32_t>& slots)
+{
+    std::sort(slots.begin(), slots.end());
+    slots.erase(std::unique(slots.begin(), slots.end()), slots.end());
+}
+
+}  // namespace
+
+std::uint32_t World::Impl::gather(const ForceField& forces, const StepContext& context)
+{
+    const ContactWorld world = contactWorld();
+    std::uint32_t faults = 0;
+    for (;;) {
+        if (!partsAreSorted) {
+            std::erase_if(bodies.parts, [&](std::uint32_t slot) { return !bodies.rows[slot].takesPart; });
+            sortUnique(bodies.parts);
+            partsAreSorted = true;
+        }
+        gatherMotions(bodies, forces.gravitationConstant > 0, motions);
+        predictSteady(contacts, bodies, shapes, motions, context);
+        faults = accelerate(motions, bodies, forces, time);
+        sweepBoxes(bodies, shapes, motions, context, boxes);
+
+        // What holds still on their way. Those that sleep there and are met wake, and all is gathered again.
+        restPairs.clear();
+        met.clear();
+        for (const SweepBox& box : boxes) {
+            if (!box.moves) continue;
+            resting.eachOverlapping(box.box, [&](std::uint32_t other) {
+                const ShapeRow& shape = shapes.rows[other];
+                const ShapePair pair{minimum(box.shape, other), maximum(box.shape, other)};
+                if (!overlaps(box.box, shape.sweptBox) || !mayCollide(world, pair)) return;
+                const std::uint32_t group = bodies.rows[shape.body].group;
+                if (group == BodyRow::kNoGroup) {
+                    restPairs.push_back(pair);
+                } else if (!asleep.groups[group].isMet && meets(world, pair, context)) {
+                    asleep.groups[group].isMet = true;
+                    met.push_back(group);
+                }
+            });
+        }
+        if (met.empty()) break;
+        for (const std::uint32_t group : met) wakeGroup(group);
+    }
+
+    // Those that hold still get their rows behind all others.
+    std::vector<std::uint32_t>& still = met;
+    for (const ShapePair& pair : restPairs)
+        for (const std::uint32_t shape : {pair.a, pair.b})
+            if (motions.rowOf[shapes.rows[shape].body] == MotionTable::kNone)
+                still.push_back(shapes.rows[shape].body);
+    sortUnique(still);
+    for (const std::uint32_t slot : still) addRow(motions, bodies, slot);
+    return faults;
+}
+
+}  // namespace tamias2d::inline TAMIAS_PRECISION

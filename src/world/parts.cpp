@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: MIT
+// Who takes part in steps, and where all others lie: lists and trees that change when something happens,
+// so that a step need not look at what rests.
+
+#include "contacts/update.hpp"
+#include "world/impl.hpp"
+
+#include <algorithm>
+
+namespace tamias2d::inline TAMIAS_PRECISION {
+
+void World::Impl::tally(const BodyRow& b, bool comes)
+{
+    if (!b.enabled) return;
+    const auto add = [comes](std::uint32_t& count, std::size_t n) {
+        count = static_cast<std::uint32_t>(comes ? count + n : count - n);
+    };
+    add(census.bodies, 1);
+    add(census.dynamicBodies, b.isDynamic() ? 1 : 0);
+    add(census.shapes, b.shapes.size());
+}
+
+// Lists the body among those that take part, or lays its shapes to rest, as its state asks.
+void World::Impl::refreshPart(std::uint32_t slot)
+{
+    BodyRow& b = bodies.rows[slot];
+    const bool moves = b.isDynamic() ? !b.isAsleep() : b.type == BodyType::Kinematic && b.hasVelocity();
+    if ((b.enabled && moves) == b.takesPart) return;
+    b.takesPart = !b.takesPart;
+    if (b.takesPart) {
+        if (!bodies.parts.empty() && bodies.parts.back() >= slot) partsAreSorted = false;
+        bodies.parts.push_back(slot);
+        displaceAll(slot);
+    } else {
+        partsAreSorted = false;  // it leaves the list when that is sorted
+        leavers.push_back(slot);
+        if (b.enabled) placeAll(slot, false);
+    }
+}
+
+void World::Impl::place(std::uint32_t shape, bool rouses)
+{
+    resting.remove(shape);
+    toPlace.push_back({shape, rouses});
+}
+
+// A shape has changed: who meets it where it lies must wake.
+void World::Impl::placeAgain(std::uint32_t slot)
+{
+    const BodyRow& b = bodies.rows[shapes.rows[slot].body];
+    if (b.enabled && !b.takesPart) place(slot, true);
+}
+
+void World::Impl::placeAll(std::uint32_t slot, bool rouses)
+{
+    for (const std::uint32_t shape : bodies.rows[slot].shapes) place(shape, rouses);
+}
+
+void World::Impl::placeEverything()
+{
+    for (std::uint32_t slot = 0; slot < bodies.rows.size(); ++slot)
+        if (bodies.ids.isAlive(slot) && bodies.rows[slot].enabled && !bodies.rows[slot].takesPart)
+            placeAll(slot, false);
+}
+
+void World::Impl::displaceAll(std::uint32_t slot)
+{
+    for (const std::uint32_t shape : bodies.rows[slot].shapes) resting.remove(shape);
+}
+
+// Masses of bodies that nothing moves are summed up only when somebody asks: a ground of many shapes would be
+// summed up anew with each of them.
+void World::Impl::settleMass(std::uint32_t slot)
+{
+    if (bodies.rows[slot].massIsStale) updateMass(slot);
+}
+
+void World::Impl::settle()
+{
+    if (!staleMasses.empty()) {
+        for (const std::uint32_t slot : staleMasses) settleMass(slot);
+        staleMasses.clear();
+    }
+    while (!toPlace.empty()) {
+        std::vector<std::uint32_t> rousing;
+        for (const RestingShape& entry : toPlace) {
+            if (!shapes.ids.isAlive(entry.shape) || resting.holds(entry.shape)) continue;
+            ShapeRow& shape = shapes.rows[entry.shape];
+            const BodyRow& b = bodies.rows[shape.body];
+            if (!b.enabled || b.takesPart) continue;
+            Motion m = motionOf(b, shape.body);
+            m.velocity = {};
+            m.spin = 0;
+            const real margin = 3 * settings.tuning.restGap * shape.convex.size;
+            shape.sweptBox = sweptBounds(shape.convex, predictedPath(m, m.center, 0), m.center, 0, 0, margin);
+            resting.add(entry.shape, shape.sweptBox);
+            if (entry.rouses && !asleep.isEmpty()) rousing.push_back(entry.shape);
+        }
+        toPlace.clear();
+        resting.settle();
+        for (const std::uint32_t shape : rousing) wakeNear(shape);
+    }
+}
+
+}  // namespace tamias2d::inline TAMIAS_PRECISION
