@@ -129,7 +129,7 @@ TEST(BrokenScene, ABodysFaultIsFoundInTheBody)
             {"\"velocity\": [0, 0]",
              "3: /bodies/0/velocity = [0,0]: unknown key; known: name, type, position, angle, "
              "linearVelocity, angularVelocity, mass, linearDamping, angularDamping, "
-             "gravityScale, gravity, enabled, userData, locks, shapes, forces, laws"},
+             "gravityScale, gravity, enabled, allowSleep, awake, userData, locks, shapes, forces, laws"},
             {"\"forces\": [{\"force\": \"up\"}]",
              "3: /bodies/0/forces/0/force = \"up\": must be two numbers: [x, y]"},
             {"\"laws\": [{\"law\": \"wind\"}]", "3: /bodies/0/laws/0/law = \"wind\": no law of this name is "
