@@ -308,6 +308,11 @@ void World::Impl::fallAsleep(const StepContext& context)
         const bool still = speed <= limit && speed <= maximum(b.stillSpeed, nothing);
         b.stillTime = still ? b.stillTime + static_cast<real>(context.dt) : real(0);
         if (!still) b.stillSpeed = speed <= limit ? speed : real(0);
+        // A swing slows down to its turning point and no further.
+        if (b.stillTime >= tuning.sleepTime && b.stillSpeed - speed > limit / 4) {
+            b.stillTime = 0;
+            b.stillSpeed = speed;
+        }
         any = any || (b.allowSleep && b.stillTime >= tuning.sleepTime);
     }
     if (!any || !maySleep()) return;
