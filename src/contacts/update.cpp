@@ -60,10 +60,11 @@ const ExpectedPaths::Row& ExpectedPaths::rowOf(std::uint32_t row, const Motion& 
     if (known.number != number_) {
         known.number = number_;
         known.path = predictedPath(m, m.center, invH_);
+        known.span = SpanOfWay(known.path, end_);
     }
     if (known.path.aheadTime == 0 && !shape.isDisc()) {
         known.path.lookAhead(end_);
-        known.span = SpanOfWay(known.path, end_);
+        known.span.end = known.path.ahead;
     }
     return known;
 }
@@ -90,8 +91,8 @@ SweptPair ExpectedPaths::pairOf(const Contact& contact, const ShapeTable& shapes
     return pair;
 }
 
-QuadPair ExpectedPaths::quadPairOf(const Contact& contact, const ShapeTable& shapes,
-                                   const MotionTable& motions)
+PairOnWay ExpectedPaths::pairOnWayOf(const Contact& contact, const ShapeTable& shapes,
+                                     const MotionTable& motions)
 {
     const Motion &a = motions.rows[contact.rowA], &b = motions.rows[contact.rowB];
     const Position origin = originOf(a, b);
@@ -111,34 +112,51 @@ std::span<const SweptResult> ExpectedPaths::collide(std::span<Contact* const> co
     const auto alone = [&](std::size_t i) {
         results_[i] = collideSwept(pairOf(*contacts[i], shapes, motions), 0, end_);
     };
-    QuadPair quads[kLanes];
-    std::size_t places[kLanes];
-    int waiting = 0;
-    const auto together = [&] {
+    using InLanes = void (*)(const PairOnWay*, int, SweptResult*, bool*);
+    // Pairs that wait for their lanes to fill, by kind.
+    struct Waiting {
+        PairOnWay pairs[kLanes];
+        std::size_t places[kLanes];
+        int count = 0;
+    } quads, discs;
+    const auto together = [&](Waiting& waiting, InLanes collideInLanes) {
         SweptResult found[kLanes];
         bool decided[kLanes];
-        collideQuads(quads, waiting, found, decided);
-        for (int k = 0; k < waiting; ++k) {
+        collideInLanes(waiting.pairs, waiting.count, found, decided);
+        for (int k = 0; k < waiting.count; ++k) {
             if (decided[k])
-                results_[places[k]] = found[k];
+                results_[waiting.places[k]] = found[k];
             else
-                alone(places[k]);
+                alone(waiting.places[k]);
         }
-        waiting = 0;
+        waiting.count = 0;
+    };
+    const auto take = [&](Waiting& waiting, std::size_t i, InLanes collideInLanes) {
+        waiting.pairs[waiting.count] = pairOnWayOf(*contacts[i], shapes, motions);
+        waiting.places[waiting.count] = i;
+        if (++waiting.count == kLanes) together(waiting, collideInLanes);
+    };
+    // Lanes that stand half empty are slower than one pair after the other.
+    const auto takeRest = [&](Waiting& waiting, InLanes collideInLanes) {
+        if (waiting.count > kLanes / 2) together(waiting, collideInLanes);
+        for (int k = 0; k < waiting.count; ++k) alone(waiting.places[k]);
     };
     for (std::size_t i = 0; i < contacts.size(); ++i) {
         const Contact& c = *contacts[i];
-        if (!isQuad(shapes.rows[c.shapeA].convex) || !isQuad(shapes.rows[c.shapeB].convex)) {
+        switch (laneKindOf(shapes.rows[c.shapeA].convex, shapes.rows[c.shapeB].convex)) {
+        case LaneKind::Quads:
+            take(quads, i, collideQuads);
+            break;
+        case LaneKind::Discs:
+            take(discs, i, collideDiscs);
+            break;
+        case LaneKind::None:
             alone(i);
-            continue;
+            break;
         }
-        quads[waiting] = quadPairOf(c, shapes, motions);
-        places[waiting] = i;
-        if (++waiting == kLanes) together();
     }
-    // Lanes that stand half empty are slower than one pair after the other.
-    if (waiting > kLanes / 2) together();
-    for (int k = 0; k < waiting; ++k) alone(places[k]);
+    takeRest(quads, collideQuads);
+    takeRest(discs, collideDiscs);
     return {results_.data(), contacts.size()};
 }
 

@@ -5,7 +5,7 @@
 #include "model/motion.hpp"
 #include "model/shapes.hpp"
 #include "model/step_context.hpp"
-#include "narrowphase/quads.hpp"
+#include "narrowphase/side_by_side.hpp"
 
 #include <tamias2d/model/clamps.hpp>
 
@@ -38,8 +38,8 @@ public:
     void begin(std::size_t rows, real end, real invH);
     /// Both ways of a pair, as sweptPairOf.
     SweptPair pairOf(const Contact& contact, const ShapeTable& shapes, const MotionTable& motions);
-    /// The same for a pair of two quadrilaterals, as lanes take it.
-    QuadPair quadPairOf(const Contact& contact, const ShapeTable& shapes, const MotionTable& motions);
+    /// The same as lanes take it.
+    PairOnWay pairOnWayOf(const Contact& contact, const ShapeTable& shapes, const MotionTable& motions);
 
     /// How the pairs of up to kPairBatch contacts meet within the span: as collideSwept says of each, in
     /// lanes where those can decide. Valid until the next call.
@@ -48,7 +48,7 @@ public:
 
 private:
     struct Row {
-        SpanOfWay span;              // of a body that has a shape that is no disc
+        SpanOfWay span;
         Trajectory path;             // but for its position
         std::uint64_t number = 0;    // of the span that it belongs to
     };

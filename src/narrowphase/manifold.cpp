@@ -113,16 +113,20 @@ void closestManifold(const PlacedPair& pair, const Separation& nearest, Manifold
         faceManifold(pair, onA, onA ? nearest.featureA : nearest.featureB, true, manifold);
         return;
     }
-    const Convex &a = pair.a, &b = pair.b;
+    vertexManifold(pair.a, pair.b, nearest, manifold);
+    if (manifold.points[0].roundOnRound) addFarEnd(pair, manifold);
+}
+
+void vertexManifold(const Convex& a, const Convex& b, const Separation& nearest, Manifold& manifold)
+{
     manifold.normal = nearest.normal;
     manifold.count = 1;
     ManifoldPoint& point = manifold.points[0];
-    point.localA = a.vertices[nearest.featureA];
-    point.localB = b.vertices[nearest.featureB];
+    point.localA = a.vertices[static_cast<std::size_t>(nearest.featureA)];
+    point.localB = b.vertices[static_cast<std::size_t>(nearest.featureB)];
     point.cornerOnA = a.radius > b.radius;  // on the rounder one: its turning must not lever on the other
     point.roundOnRound = a.radius + b.radius > 0;
     point.feature = static_cast<std::uint32_t>(nearest.featureA | (nearest.featureB << 4) | (1 << 12));
-    if (point.roundOnRound) addFarEnd(pair, manifold);
 }
 
 }  // namespace tamias2d::inline TAMIAS_PRECISION

@@ -53,6 +53,9 @@ bool faceManifold(const PlacedPair& pair, bool faceOnA, int face, bool force, Ma
 void closestManifold(const PlacedPair& pair, real preference, Manifold& manifold);
 void closestManifold(const PlacedPair& pair, const Separation& nearest, Manifold& manifold);
 
+/// The one point of two vertices that are nearest to each other.
+void vertexManifold(const Convex& a, const Convex& b, const Separation& nearest, Manifold& manifold);
+
 /// The separation that suits the pair: by faces for sharp polygons, exact for rounded shapes.
 /// Radii are not subtracted.
 Separation coreSeparation(const PlacedPair& pair, real preference);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "narrowphase/quads.hpp"
+#include "narrowphase/side_by_side.hpp"
 #include "support/traces.hpp"
 
 #include <gtest/gtest.h>
@@ -100,7 +100,7 @@ struct Scene {
     }
 };
 
-TEST(Quads, InLanesMeetAsEachPairAlone)
+TEST(SideBySide, QuadsMeetAsEachPairAlone)
 {
     TRACES("ADR5", "ADR6", "R7");
     std::mt19937 random(21);
@@ -115,7 +115,7 @@ TEST(Quads, InLanesMeetAsEachPairAlone)
             ways.emplace_back(s.pathA, end);
             ways.emplace_back(s.pathB, end);
         }
-        QuadPair quads[kLanes];
+        PairOnWay quads[kLanes];
         for (int i = 0; i < count; ++i) {
             const auto k = static_cast<std::size_t>(i);
             const Scene& s = scenes[k];
@@ -145,7 +145,7 @@ TEST(Quads, InLanesMeetAsEachPairAlone)
 }
 
 // A pair is decided the same way in whatever lane it stands, and whoever stands beside it.
-TEST(Quads, AreDecidedWhoeverStandsBesideThem)
+TEST(SideBySide, QuadsAreDecidedWhoeverStandsBesideThem)
 {
     TRACES("ADR6");
     std::mt19937 random(22);
@@ -154,10 +154,10 @@ TEST(Quads, AreDecidedWhoeverStandsBesideThem)
         const Scene s(random), other(random);
         const SpanOfWay wayA(s.pathA, end), wayB(s.pathB, end), otherA(other.pathA, end),
             otherB(other.pathB, end);
-        const QuadPair pair{&s.a, &s.b, &wayA, &wayB, s.pathA.position, s.pathB.position, s.restGap};
-        const QuadPair neighbor{
+        const PairOnWay pair{&s.a, &s.b, &wayA, &wayB, s.pathA.position, s.pathB.position, s.restGap};
+        const PairOnWay neighbor{
             &other.a, &other.b, &otherA, &otherB, other.pathA.position, other.pathB.position, other.restGap};
-        QuadPair beside[kLanes];
+        PairOnWay beside[kLanes];
         for (int i = 0; i < kLanes; ++i) beside[i] = i == kLanes - 1 ? pair : neighbor;
         SweptResult alone[kLanes], last[kLanes];
         bool decidedAlone[kLanes], decidedLast[kLanes];
@@ -171,7 +171,7 @@ TEST(Quads, AreDecidedWhoeverStandsBesideThem)
 }
 
 // Against geometry of its own: a box that lies flat on another shares with it the overlap of two intervals.
-TEST(Quads, ThatLieFlatTouchAtTheEndsOfWhatTheyShare)
+TEST(SideBySide, QuadsThatLieFlatTouchAtTheEndsOfWhatTheyShare)
 {
     TRACES("LC1", "IM3");
     std::mt19937 random(23);
@@ -188,7 +188,7 @@ TEST(Quads, ThatLieFlatTouchAtTheEndsOfWhatTheyShare)
         Trajectory pathA, pathB;
         pathB.position = {static_cast<real>(x), static_cast<real>((hA + hB) / 2 + gap)};
         const SpanOfWay wayA(pathA, static_cast<real>(kStep)), wayB(pathB, static_cast<real>(kStep));
-        const QuadPair pair{&a, &b, &wayA, &wayB, pathA.position, pathB.position, real(1e-3)};
+        const PairOnWay pair{&a, &b, &wayA, &wayB, pathA.position, pathB.position, real(1e-3)};
         SweptResult result;
         bool decided = false;
         collideQuads(&pair, 1, &result, &decided);
@@ -205,6 +205,52 @@ TEST(Quads, ThatLieFlatTouchAtTheEndsOfWhatTheyShare)
         EXPECT_NEAR(std::min(ends[0], ends[1]), left, tolerance) << "trial " << trial;
         EXPECT_NEAR(std::max(ends[0], ends[1]), right, tolerance) << "trial " << trial;
     }
+}
+
+TEST(SideBySide, DiscsMeetAsEachPairAlone)
+{
+    TRACES("ADR5", "ADR6", "R7");
+    std::mt19937 random(24);
+    std::uniform_real_distribution<double> unit(-1, 1);
+    const real end = static_cast<real>(kStep);
+    int pairs = 0, decidedPairs = 0, touching = 0, overlapping = 0, atEnd = 0;
+    for (int trial = 0; trial < 40000; ++trial) {
+        const double rA = 0.1 + 0.4 * std::abs(unit(random)), rB = random() % 2 == 0 ? rA : 0.3;
+        const Convex a = convexOf(Circle{{}, static_cast<real>(rA)}),
+                     b = convexOf(Circle{{}, static_cast<real>(rB)});
+        const double phi =
+            random() % 4 == 0 ? 0.5 * kPi * static_cast<double>(random() % 4) : kTwoPi * unit(random);
+        const double spread = random() % 4 == 0 ? 0.02 : 3e-3;
+        const double distance = random() % 16 == 0 ? 0 : rA + rB + spread * unit(random);
+        Trajectory pathA, pathB;
+        pathB.position = {static_cast<real>(distance * std::cos(phi)),
+                          static_cast<real>(distance * std::sin(phi))};
+        const double speeds[] = {0, 0.05, 1, 30};
+        for (Trajectory* path : {&pathA, &pathB}) {
+            const double speed = speeds[random() % 4];
+            path->velocity = {static_cast<real>(speed * unit(random)),
+                              static_cast<real>(speed * unit(random))};
+            path->spin = static_cast<real>(speed * unit(random));
+            path->acceleration = {0, static_cast<real>(random() % 2 == 0 ? 0 : -10)};
+        }
+        const SpanOfWay wayA(pathA, end), wayB(pathB, end);
+        const PairOnWay pair{&a, &b, &wayA, &wayB, pathA.position, pathB.position, real(1e-3)};
+        SweptResult inLanes;
+        bool decided = false;
+        collideDiscs(&pair, 1, &inLanes, &decided);
+        const SweptResult alone = collideSwept({a, b, pathA, pathB, real(1e-3)}, 0, end);
+        ++pairs;
+        if (!decided) continue;
+        ASSERT_EQ(difference(inLanes, alone), "") << "trial " << trial;
+        ++decidedPairs;
+        touching += alone.near ? 1 : 0;
+        overlapping += alone.near && alone.startGap < 0 ? 1 : 0;
+        atEnd += alone.near && alone.startGap > real(3e-3) ? 1 : 0;
+    }
+    EXPECT_GT(decidedPairs, pairs * 6 / 10) << pairs;
+    EXPECT_GT(touching, 10000);
+    EXPECT_GT(overlapping, 1000);
+    EXPECT_GT(atEnd, 10);
 }
 
 }  // namespace

@@ -7,23 +7,17 @@ namespace tamias2d::inline TAMIAS_PRECISION {
 
 /// How a body goes from time 0 to another, as lanes read it: the same for all pairs of the body.
 struct alignas(16) SpanOfWay {
-    Rot start, end;
+    Rot start, end;                    ///< `end` counts only if the path has looked ahead to that time
     Vec2 byVelocity, byAcceleration;   ///< the parts of its way   [m]
     real turn = 0;                     ///< absolute   [rad]
     real unused[3] = {};
 
     SpanOfWay() = default;
-    SpanOfWay(const Trajectory& path, real to);   ///< `path` must have looked ahead to that time
+    SpanOfWay(const Trajectory& path, real to);
 };
 
-/// May lanes try this shape? Sharp quadrilaterals: boxes, above all.
-inline bool isQuad(const Convex& shape)
-{
-    return shape.count == 4 && shape.radius <= 0;
-}
-
-/// Two quadrilaterals for collideQuads.
-struct QuadPair {
+/// Two shapes on their ways, as lanes read them.
+struct PairOnWay {
     const Convex *a, *b;
     const SpanOfWay *wayA, *wayB;
     Vec2 positionA, positionB;   ///< of the centers of mass at time 0, from a place near both   [m]
@@ -32,6 +26,11 @@ struct QuadPair {
 
 /// How each of up to kLanes pairs meets between 0 and the time of their ways: as collideSwept, or false in
 /// `decided` where that must be asked.
-void collideQuads(const QuadPair* pairs, int count, SweptResult* results, bool* decided);
+void collideQuads(const PairOnWay* pairs, int count, SweptResult* results, bool* decided);
+void collideDiscs(const PairOnWay* pairs, int count, SweptResult* results, bool* decided);
+
+/// What lanes may try: two sharp quadrilaterals (boxes, above all), or two discs.
+enum class LaneKind { None, Quads, Discs };
+LaneKind laneKindOf(const Convex& a, const Convex& b);
 
 }  // namespace tamias2d::inline TAMIAS_PRECISION
