@@ -52,6 +52,23 @@ public:
     std::uint32_t slots() const { return static_cast<std::uint32_t>(generations_.size()); }
     std::size_t alive() const { return alive_; }
 
+    /// What is wrong with it, in words; null if nothing is.
+    const char* fault() const
+    {
+        std::size_t alive = 0;
+        for (const std::uint32_t generation : generations_) alive += generation & 1u;
+        if (alive != alive_) return "must count the live slots";
+        if (free_.size() + alive != generations_.size()) return "must have each dead slot free";
+        if (!std::is_heap(free_.begin(), free_.end(), std::greater<>{}))
+            return "must find the lowest free slot";
+        std::vector<std::uint32_t> sorted = free_;
+        std::sort(sorted.begin(), sorted.end());
+        for (std::size_t i = 0; i < sorted.size(); ++i)
+            if (sorted[i] >= slots() || isAlive(sorted[i]) || (i > 0 && sorted[i] == sorted[i - 1]))
+                return "must have each free slot dead, and once";
+        return nullptr;
+    }
+
 private:
     std::uint32_t world_;
     std::vector<std::uint32_t> generations_;

@@ -5,6 +5,7 @@
 #include "broadphase/rest_trees.hpp"
 #include "broadphase/sweep.hpp"
 #include "contacts/update.hpp"
+#include "diagnostics/faults.hpp"
 #include "forces/accelerations.hpp"
 #include "model/bodies.hpp"
 #include "model/contacts.hpp"
@@ -167,6 +168,9 @@ struct World::Impl {
 
     // world/gather.cpp: the bodies of a step, and who may meet.
     std::uint32_t gather(const ForceField& forces, const StepContext& context);
+
+    // world/validate.cpp
+    void validate(Faults& faults) const;
 
     // world/step.cpp
     StepReport step(double dt, int substeps);

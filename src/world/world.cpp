@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "diagnostics/energy.hpp"
+#include "diagnostics/validate.hpp"
 #include "queries/search.hpp"
 #include "world/impl.hpp"
 
@@ -313,6 +314,13 @@ Energy World::energy() const
 Momentum World::momentum() const
 {
     return totalMomentum(impl_->bodies);
+}
+
+std::vector<std::string> World::validate() const
+{
+    Faults faults;
+    impl_->validate(faults);
+    return faults.found();
 }
 
 // --- queries

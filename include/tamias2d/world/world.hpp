@@ -218,6 +218,10 @@ public:
     Momentum momentum() const;  ///< of all enabled dynamic bodies
     /// One number for the whole state: equal hashes mean equal bits, on every platform.
     std::uint64_t stateHash() const noexcept;
+    /// What is wrong inside the world, a line each, like "bodies[3].velocity = (nan, 0): must be finite";
+    /// empty if every invariant of its tables holds. Always empty, unless there is a bug: for tests, and for
+    /// reports of bugs. Takes time in proportion to the world, and memory.
+    std::vector<std::string> validate() const;
 
     // --- queries, at the present poses [R7]
     std::vector<ShapeId> queryPoint(Position point, const Filter& filter = {}) const;  ///< sorted

@@ -1,0 +1,257 @@
+// SPDX-License-Identifier: MIT
+#include "diagnostics/validate.hpp"
+
+#include "geometry/validate.hpp"
+
+#include <tamias2d/math/scalar.hpp>
+
+#include <algorithm>
+#include <tuple>
+
+namespace tamias2d::inline TAMIAS_PRECISION {
+namespace {
+
+// Lengths that should be 1 are so to some rounding errors of a turn.
+constexpr double kUnitError = 1e-4;
+// Below it, products have few digits.
+constexpr double kLeastNumber = std::numeric_limits<float>::min();
+
+void validateMotion(const BodyRow& b, real lengthUnit, Faults& faults)
+{
+    // A center of mass lies at most some greatest sizes away from an origin at the edge of the world.
+    const double most = (kMaxPosition + 4 * kMaxSize) * static_cast<double>(lengthUnit);
+    faults.range("center.x", b.center.x, -most, most, "must be within the world");
+    faults.range("center.y", b.center.y, -most, most, "must be within the world");
+    faults.that(b.angle >= 0 && b.angle < kTwoPi, "angle", b.angle, "must be in [0, 2 pi)");
+    const Rot rotation = Rot::ofAngle(b.angle);
+    faults.that(rotation.c == b.rotation.c && rotation.s == b.rotation.s, "rotation", b.rotation.s,
+                "must be that of the angle");
+    faults.finite("velocity", b.velocity);
+    faults.finite("spin", b.spin);
+    const bool still = b.velocity == Vec2{} && b.spin == 0;
+    faults.that(b.type != BodyType::Static || still, "velocity", b.velocity, "must be 0 of a static body");
+    faults.finite("previousCenter", b.previousCenter);
+    faults.that(b.previousAngle >= 0 && b.previousAngle < kTwoPi, "previousAngle", b.previousAngle,
+                "must be in [0, 2 pi)");
+    faults.finite("previousLocalCenter", b.previousLocalCenter);
+}
+
+void validateMassOf(const BodyRow& b, Faults& faults)
+{
+    faults.finite("localCenter", b.localCenter);
+    if (!b.isDynamic()) return;
+    faults.that(isFiniteValue(b.mass) && b.mass > 0, "mass", b.mass, "must be finite and > 0 kg");
+    faults.that(isFiniteValue(b.inertia) && b.inertia >= 0, "inertia", b.inertia,
+                "must be finite and >= 0 kg*m^2");
+    faults.finite("invMass", b.invMass());
+    faults.finite("invInertia", b.invInertia());
+}
+
+void validateForcesOf(const BodyRow& b, Faults& faults)
+{
+    for (const LastingForce& held : b.lasting) {
+        faults.finite("lasting.force", held.force);
+        faults.finite("lasting.point", held.point);
+        faults.finite("lasting.torque", held.torque);
+    }
+    faults.range("linearDamping", b.linearDamping, 0, kAnyFinite, "must be finite and >= 0 1/s");
+    faults.range("angularDamping", b.angularDamping, 0, kAnyFinite, "must be finite and >= 0 1/s");
+    faults.finite("gravityScale", b.gravityScale);
+    faults.finite("gravity", b.gravity.value_or(Vec2{}));
+}
+
+}  // namespace
+
+void validateBodies(const BodyTable& bodies, const ShapeTable& shapes, real lengthUnit, Faults& faults)
+{
+    validateIds(bodies.ids, "bodies", bodies.rows.size(), faults);
+    std::size_t owned = 0;
+    std::vector<bool> seen(shapes.rows.size(), false);
+    for (std::uint32_t slot = 0; slot < bodies.rows.size(); ++slot) {
+        const BodyRow& b = bodies.rows[slot];
+        faults.at("bodies", slot);
+        if (!bodies.ids.isAlive(slot)) {
+            faults.that(b.shapes.empty(), "shapes", b.shapes.size(), "must be none of a dead body");
+            continue;
+        }
+        const auto type = static_cast<int>(b.type);
+        faults.that(type >= 0 && type <= 2, "type", type, "must be Static, Kinematic or Dynamic");
+        validateMotion(b, lengthUnit, faults);
+        validateMassOf(b, faults);
+        validateForcesOf(b, faults);
+        owned += b.shapes.size();
+        for (const std::uint32_t shape : b.shapes) {
+            const bool lives = shape < shapes.rows.size() && shapes.ids.isAlive(shape);
+            faults.that(lives && shapes.rows[shape].body == slot, "shapes", shape,
+                        "must be a live shape of it");
+            if (!lives) continue;
+            faults.that(!seen[shape], "shapes", shape, "must be of one body, once");
+            seen[shape] = true;
+        }
+    }
+    faults.at("shapes", 0);
+    faults.that(owned == shapes.ids.alive(), "owned", owned, "must be all live shapes");
+}
+
+void validateShapes(const ShapeTable& shapes, const BodyTable& bodies, Faults& faults)
+{
+    validateIds(shapes.ids, "shapes", shapes.rows.size(), faults);
+    for (std::uint32_t slot = 0; slot < shapes.rows.size(); ++slot) {
+        if (!shapes.ids.isAlive(slot)) continue;
+        const ShapeRow& s = shapes.rows[slot];
+        faults.at("shapes", slot);
+        faults.that(s.body < bodies.rows.size() && bodies.ids.isAlive(s.body), "body", s.body,
+                    "must be a live body");
+        const Complaint wrong = checkGeometry("geometry", s.def.geometry);
+        faults.that(!wrong, "def", slot, wrong ? std::string_view(wrong->what()) : std::string_view());
+        faults.range("def.density", s.def.density, 0, kAnyFinite, "must be finite and >= 0 kg/m^2");
+        faults.range("def.material.friction", s.def.material.friction, 0, kAnyFinite, "must be >= 0");
+        faults.range("def.material.restitution", s.def.material.restitution, 0, 1, "must be in [0, 1]");
+        faults.range("def.material.rollingResistance", s.def.material.rollingResistance, 0, kAnyFinite,
+                     "must be >= 0");
+
+        const Convex& c = s.convex;
+        faults.range("convex.count", c.count, 1, kMaxPolygonVertices, "must be in [1, 16]");
+        faults.range("convex.radius", c.radius, 0, kAnyFinite, "must be finite and >= 0 m");
+        faults.range("convex.extent", c.extent, 0, kAnyFinite, "must be finite and >= 0 m");
+        faults.that(isFiniteValue(c.size) && c.size > 0, "convex.size", c.size, "must be finite and > 0 m");
+        for (int i = 0; i < minimum(c.count, kMaxPolygonVertices); ++i) {
+            const auto k = static_cast<std::size_t>(i);
+            faults.finite("convex.vertices", c.vertices[k]);
+            if (i >= c.faces()) continue;
+            const double unit = static_cast<double>(length(c.normals[k]));
+            faults.range("convex.normals", unit, 1 - kUnitError, 1 + kUnitError, "must have length 1");
+        }
+        faults.that(isFiniteValue(s.sweptBox.lower) && isFiniteValue(s.sweptBox.upper) &&
+                        s.sweptBox.lower.x <= s.sweptBox.upper.x && s.sweptBox.lower.y <= s.sweptBox.upper.y,
+                    "sweptBox", s.sweptBox.lower, "must be a box of finite numbers");
+    }
+}
+
+namespace {
+
+void validateContact(const Contact& c, Faults& faults)
+{
+    faults.range("count", c.count, 0, 2, "must be in [0, 2]");
+    faults.that(!c.touching || c.count > 0, "touching", c.count, "must not be without a point");
+    faults.that(isFiniteValue(c.restGap) && c.restGap > 0, "restGap", c.restGap, "must be finite and > 0 m");
+    faults.range("friction", c.friction, 0, kAnyFinite, "must be finite and >= 0");
+    faults.range("restitution", c.restitution, 0, 1, "must be in [0, 1]");
+    faults.range("rolling", c.rolling, 0, kAnyFinite, "must be finite and >= 0 m");
+    faults.range("radiusA", c.radiusA, 0, kAnyFinite, "must be finite and >= 0 m");
+    faults.range("radiusB", c.radiusB, 0, kAnyFinite, "must be finite and >= 0 m");
+    faults.finite("rollingImpulse", c.rollingImpulse);
+    faults.finite("stepImpulse", c.stepImpulse);
+    if (c.count < 1 || c.count > 2) return;
+
+    const double unit = static_cast<double>(length(c.normal));
+    faults.range("normal", unit, 1 - kUnitError, 1 + kUnitError, "must have length 1");
+    for (int i = 0; i < c.count; ++i) {
+        const ContactPointRow& p = c.points[i];
+        faults.finite("points.localA", p.anchor.localA);
+        faults.finite("points.localB", p.anchor.localB);
+        faults.finite("points.armA", p.armA);
+        faults.finite("points.armB", p.armB);
+        faults.finite("points.gap", p.gap);
+        faults.range("points.normalImpulse", p.normalImpulse, 0, kAnyFinite, "must be finite and >= 0 N*s");
+        const double cone =
+            1.0001 * static_cast<double>(c.friction) * static_cast<double>(p.normalImpulse) + kLeastNumber;
+        faults.range("points.tangentImpulse", p.tangentImpulse, -cone, cone,
+                     "must be within friction times the normal impulse");
+        faults.finite("points.stepNormal", p.stepNormal);
+        faults.finite("points.stepTangent", p.stepTangent);
+    }
+}
+
+}  // namespace
+
+void validateContacts(const ContactTable& contacts, const ShapeTable& shapes, Faults& faults)
+{
+    for (std::size_t i = 0; i < contacts.rows.size(); ++i) {
+        const Contact& c = contacts.rows[i];
+        faults.at("contacts", i);
+        faults.that(c.shapeA < c.shapeB, "shapeA", c.shapeA, "must be below shapeB");
+        const auto lives = [&](std::uint32_t s) { return s < shapes.rows.size() && shapes.ids.isAlive(s); };
+        faults.that(lives(c.shapeA), "shapeA", c.shapeA, "must be a live shape");
+        faults.that(lives(c.shapeB), "shapeB", c.shapeB, "must be a live shape");
+        if (lives(c.shapeA) && lives(c.shapeB))
+            faults.that(shapes.rows[c.shapeA].body != shapes.rows[c.shapeB].body, "shapeB", c.shapeB,
+                        "must be of another body than shapeA");
+        if (i > 0) {
+            const Contact& before = contacts.rows[i - 1];
+            faults.that(std::tie(before.shapeA, before.shapeB) < std::tie(c.shapeA, c.shapeB), "shapeB",
+                        c.shapeB, "must come after the pair before, in order of slots");
+        }
+        validateContact(c, faults);
+    }
+}
+
+void validateOrder(const ContactTable& contacts, const MotionTable& motions, Faults& faults)
+{
+    const std::vector<std::uint32_t>& order = contacts.order;
+    faults.at("order", 0);
+    faults.that(order.size() == contacts.rows.size(), "size", order.size(), "must be that of the contacts");
+    constexpr std::uint32_t kNone = 0xffffffffu;
+    std::vector<bool> placed(contacts.rows.size(), false);
+    std::vector<std::uint32_t> colorOf(motions.rows.size(), kNone);  // by row: the last one it was seen in
+    std::uint32_t color = 0;
+    for (std::size_t place = 0; place < order.size(); ++place) {
+        const std::uint32_t i = order[place];
+        faults.at("order", place);
+        const bool first = i < placed.size() && !placed[i];
+        faults.that(first, "contact", i, "must be each contact, once");
+        if (!first) continue;
+        placed[i] = true;
+
+        while (color < contacts.colorEnds.size() && place >= contacts.colorEnds[color]) ++color;
+        const Contact& c = contacts.rows[i];
+        const std::size_t most = maximum(c.rowA, c.rowB);
+        faults.that(most < motions.rows.size(), "row", most, "must be a row of the last step");
+        if (most >= motions.rows.size() || color + 1 >= contacts.colorEnds.size()) continue;
+        for (const std::uint32_t row : {c.rowA, c.rowB}) {
+            if (!motions.rows[row].moves()) continue;
+            faults.that(colorOf[row] != color, "color", color, "must have no two contacts of a body");
+            colorOf[row] = color;
+        }
+    }
+}
+
+namespace {
+
+void validateTouches(std::span<const TouchEvent> events, std::string_view name, Faults& faults)
+{
+    for (std::size_t i = 0; i < events.size(); ++i) {
+        faults.at(name, i);
+        faults.that(!events[i].shapeA.isNull() && !events[i].shapeB.isNull(), "shapeA",
+                    events[i].shapeA.index, "must not be null");
+        if (i == 0) continue;
+        // By slots: a pair that ended and was made anew in its slots may have ended twice.
+        const auto before = std::pair(events[i - 1].shapeA.index, events[i - 1].shapeB.index);
+        faults.that(before <= std::pair(events[i].shapeA.index, events[i].shapeB.index), "shapeA",
+                    events[i].shapeA.index, "must be in order of shapes");
+    }
+}
+
+}  // namespace
+
+void validateEvents(const StepEvents& events, Faults& faults)
+{
+    validateTouches(events.begins, "begins", faults);
+    validateTouches(events.ends, "ends", faults);
+    for (std::size_t i = 0; i < events.hits.size(); ++i) {
+        const HitEvent& hit = events.hits[i];
+        faults.at("hits", i);
+        faults.finite("time", hit.time);
+        faults.that(i == 0 || events.hits[i - 1].time <= hit.time, "time", hit.time, "must be in order");
+        faults.finite("point", hit.point);
+        const double unit = static_cast<double>(length(hit.normal));
+        faults.range("normal", unit, 1 - kUnitError, 1 + kUnitError, "must have length 1");
+        faults.that(isFiniteValue(hit.approachSpeed) && hit.approachSpeed > 0, "approachSpeed",
+                    hit.approachSpeed, "must be finite and > 0 m/s");
+        faults.range("restitution", hit.restitution, 0, 1, "must be in [0, 1]");
+        faults.range("normalImpulse", hit.normalImpulse, 0, kAnyFinite, "must be finite and >= 0 N*s");
+        faults.finite("tangentImpulse", hit.tangentImpulse);
+    }
+}
+
+}  // namespace tamias2d::inline TAMIAS_PRECISION

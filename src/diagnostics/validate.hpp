@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "diagnostics/faults.hpp"
+#include "model/bodies.hpp"
+#include "model/contacts.hpp"
+#include "model/motion.hpp"
+#include "model/shapes.hpp"
+
+#include <tamias2d/model/events.hpp>
+
+namespace tamias2d::inline TAMIAS_PRECISION {
+
+// What must hold of each table between steps, whatever was done to the world. Each function looks at one
+// table and at those it points into; a table that is added gets one here and a call in World::validate.
+
+/// Slots, free slots and generations of a table of ids, and that there is a row for each slot.
+template <class IdType>
+void validateIds(const IdPool<IdType>& ids, std::string_view table, std::size_t rows, Faults& faults)
+{
+    faults.at(table, 0);
+    faults.that(rows == ids.slots(), "rows", rows, "must be as many as there are slots");
+    const char* wrong = ids.fault();
+    faults.that(wrong == nullptr, "ids", ids.alive(), wrong == nullptr ? "" : wrong);
+}
+
+/// Poses and motions are numbers within their bounds, and the shapes of each body are its own.
+void validateBodies(const BodyTable& bodies, const ShapeTable& shapes, real lengthUnit, Faults& faults);
+
+/// Each live shape belongs to one body, is what its definition says, and is convex.
+void validateShapes(const ShapeTable& shapes, const BodyTable& bodies, Faults& faults);
+
+/// Sorted, each pair once, of live shapes of two bodies; normals of length 1, impulses that push and stay
+/// within Coulomb's cone.
+void validateContacts(const ContactTable& contacts, const ShapeTable& shapes, Faults& faults);
+
+/// The order of solving has each contact once, and no two of one color share a body that moves. Only as the
+/// step left them: `motions` and the contacts' rows in it are of the last step.
+void validateOrder(const ContactTable& contacts, const MotionTable& motions, Faults& faults);
+
+/// Sorted, and numbers.
+void validateEvents(const StepEvents& events, Faults& faults);
+
+}  // namespace tamias2d::inline TAMIAS_PRECISION

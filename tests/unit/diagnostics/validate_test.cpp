@@ -1,0 +1,225 @@
+// SPDX-License-Identifier: MIT
+// A sound set of tables has no fault; spoil one entry, and it is told by table, row, field and rule.
+#include "diagnostics/validate.hpp"
+
+#include "support/traces.hpp"
+
+#include <gtest/gtest.h>
+
+#include <functional>
+#include <limits>
+
+namespace tamias2d {
+namespace {
+
+constexpr real kNan = std::numeric_limits<real>::quiet_NaN();
+
+// A ball on each of two others, all in one row: three bodies of a shape each, two contacts.
+struct Tables {
+    BodyTable bodies{1};
+    ShapeTable shapes{1};
+    ContactTable contacts;
+    MotionTable motions;
+    std::vector<TouchEvent> begins;
+    std::vector<HitEvent> hits;
+
+    Tables()
+    {
+        for (std::uint32_t i = 0; i < 4; ++i) addBall(i);
+        bodies.ids.giveBack(3);  // a free slot
+        bodies.rows[3] = {};
+        shapes.ids.giveBack(3);
+        shapes.rows[3] = {};
+        addContact(0, 1, 0);
+        addContact(1, 2, 1);
+        contacts.colorEnds = {1, 2, 2};
+        begins = {touch(0, 1), touch(1, 2)};
+        hits.resize(2);
+        for (HitEvent& hit : hits) {
+            hit.normal = {1, 0};
+            hit.approachSpeed = 1;
+        }
+        hits[1].time = 2;
+    }
+
+    std::vector<std::string> faults() const
+    {
+        Faults faults;
+        validateBodies(bodies, shapes, 1, faults);
+        validateShapes(shapes, bodies, faults);
+        validateContacts(contacts, shapes, faults);
+        validateOrder(contacts, motions, faults);
+        validateEvents({begins, {}, hits}, faults);
+        return faults.found();
+    }
+
+private:
+    void addBall(std::uint32_t i)
+    {
+        bodies.ids.take();
+        shapes.ids.take();
+        BodyRow& b = bodies.rows.emplace_back();
+        b.center = {real(1.001) * static_cast<real>(i), 0};
+        b.mass = b.inertia = 1;
+        b.shapes = {i};
+        ShapeRow& s = shapes.rows.emplace_back();
+        s.body = i;
+        s.def.geometry = Circle{{}, real(0.5)};
+        s.convex = makeConvex(s.def.geometry, {}, {}, {});
+        if (i == 3) return;
+        Motion m;
+        m.body = i;
+        m.invMass = {1, 1};
+        motions.rows.push_back(m);
+        motions.rowOf.push_back(i);
+    }
+
+    void addContact(std::uint32_t a, std::uint32_t b, std::uint32_t place)
+    {
+        Contact c;
+        c.shapeA = c.rowA = a;
+        c.shapeB = c.rowB = b;
+        c.normal = {1, 0};
+        c.count = 1;
+        c.restGap = real(0.001);
+        c.friction = real(0.5);
+        c.touching = true;
+        c.points[0].normalImpulse = 2;
+        c.points[0].tangentImpulse = 1;
+        contacts.rows.push_back(c);
+        contacts.order.push_back(place);
+    }
+
+    TouchEvent touch(std::uint32_t a, std::uint32_t b) const
+    {
+        return {shapes.ids.id(a), shapes.ids.id(b), bodies.ids.id(a), bodies.ids.id(b)};
+    }
+};
+
+TEST(Validate, FindsNothingInSoundTables)
+{
+    TRACES("R4", "ADR4");
+    for (const std::string& fault : Tables().faults()) ADD_FAILURE() << fault;
+}
+
+struct Spoiled {
+    const char* told;
+    std::function<void(Tables&)> spoil;
+};
+
+void expectTold(const std::vector<Spoiled>& cases)
+{
+    for (const Spoiled& one : cases) {
+        Tables tables;
+        one.spoil(tables);
+        std::string all;
+        for (const std::string& fault : tables.faults()) all += fault + "\n";
+        EXPECT_NE(all.find(one.told), std::string::npos) << "wanted: " << one.told << "\ntold: " << all;
+    }
+}
+
+TEST(Validate, TellsWhatIsWrongWithBodies)
+{
+    TRACES("R4", "ADR4");
+    expectTold({
+        {"bodies[1].velocity = (nan, 0): must be finite",
+         [](Tables& t) { t.bodies.rows[1].velocity.x = kNan; }},
+        {"bodies[1].spin", [](Tables& t) { t.bodies.rows[1].spin = kNan; }},
+        {"bodies[2].center.x = 2e+09: must be within the world",
+         [](Tables& t) { t.bodies.rows[2].center.x = 2e9; }},
+        {"bodies[0].angle = 7: must be in [0, 2 pi)", [](Tables& t) { t.bodies.rows[0].angle = 7; }},
+        {"bodies[0].rotation", [](Tables& t) { t.bodies.rows[0].angle = 1; }},
+        {"bodies[0].mass = 0: must be finite and > 0 kg", [](Tables& t) { t.bodies.rows[0].mass = 0; }},
+        {"bodies[0].inertia = -1", [](Tables& t) { t.bodies.rows[0].inertia = -1; }},
+        {"bodies[0].linearDamping = -1", [](Tables& t) { t.bodies.rows[0].linearDamping = -1; }},
+        {"bodies[0].velocity = (1, 0): must be 0 of a static body",
+         [](Tables& t) {
+             t.bodies.rows[0].type = BodyType::Static;
+             t.bodies.rows[0].velocity.x = 1;
+         }},
+        {"bodies[0].type = 3", [](Tables& t) { t.bodies.rows[0].type = static_cast<BodyType>(3); }},
+        {"bodies[0].shapes = 0: must be of one body, once",
+         [](Tables& t) { t.bodies.rows[0].shapes = {0, 0}; }},
+        {"bodies[0].shapes = 1: must be a live shape of it",
+         [](Tables& t) { t.bodies.rows[0].shapes = {0, 1}; }},
+        {"bodies[0].shapes = 9: must be a live shape of it",
+         [](Tables& t) { t.bodies.rows[0].shapes = {0, 9}; }},
+        {"bodies[3].shapes = 1: must be none of a dead body",
+         [](Tables& t) { t.bodies.rows[3].shapes = {0}; }},
+        {"bodies[0].rows = 3: must be as many as there are slots",
+         [](Tables& t) { t.bodies.rows.pop_back(); }},
+    });
+}
+
+TEST(Validate, TellsWhatIsWrongWithShapes)
+{
+    TRACES("R4", "ADR4");
+    expectTold({
+        {"shapes[0].owned = 2: must be all live shapes", [](Tables& t) { t.bodies.rows[1].shapes.clear(); }},
+        {"shapes[1].body = 3: must be a live body", [](Tables& t) { t.shapes.rows[1].body = 3; }},
+        {"shapes[1].convex.size = 0: must be finite and > 0 m",
+         [](Tables& t) { t.shapes.rows[1].convex.size = 0; }},
+        {"shapes[1].convex.count = 0", [](Tables& t) { t.shapes.rows[1].convex.count = 0; }},
+        {"shapes[1].convex.vertices", [](Tables& t) { t.shapes.rows[1].convex.vertices[0].x = kNan; }},
+        {"geometry.radius = -1", [](Tables& t) { t.shapes.rows[1].def.geometry = Circle{{}, -1}; }},
+        {"shapes[1].def.material.restitution = 2",
+         [](Tables& t) { t.shapes.rows[1].def.material.restitution = 2; }},
+        {"shapes[1].sweptBox", [](Tables& t) { t.shapes.rows[1].sweptBox.lower.x = 1; }},
+        {"convex.normals = 0: must have length 1",
+         [](Tables& t) {
+             t.shapes.rows[1].convex = makeConvex(makeBox(1, 1), {}, {}, {});
+             t.shapes.rows[1].convex.normals[2] = {};
+         }},
+    });
+}
+
+TEST(Validate, TellsWhatIsWrongWithContacts)
+{
+    TRACES("R7", "ADR4");
+    expectTold({
+        {"contacts[1].shapeB = 1: must come after the pair before",
+         [](Tables& t) { std::swap(t.contacts.rows[0], t.contacts.rows[1]); }},
+        {"contacts[1].shapeB = 1: must come after",
+         [](Tables& t) { t.contacts.rows[1] = t.contacts.rows[0]; }},
+        {"contacts[0].shapeA = 1: must be below shapeB",
+         [](Tables& t) { std::swap(t.contacts.rows[0].shapeA, t.contacts.rows[0].shapeB); }},
+        {"contacts[1].shapeB = 3: must be a live shape", [](Tables& t) { t.contacts.rows[1].shapeB = 3; }},
+        {"contacts[1].shapeB = 2: must be of another body", [](Tables& t) { t.shapes.rows[2].body = 1; }},
+        {"contacts[0].normal = 2: must have length 1", [](Tables& t) { t.contacts.rows[0].normal.x = 2; }},
+        {"contacts[0].count = 3", [](Tables& t) { t.contacts.rows[0].count = 3; }},
+        {"contacts[0].touching = 0", [](Tables& t) { t.contacts.rows[0].count = 0; }},
+        {"contacts[0].points.normalImpulse = -1",
+         [](Tables& t) { t.contacts.rows[0].points[0].normalImpulse = -1; }},
+        {"contacts[0].points.tangentImpulse = 1: must be within friction",
+         [](Tables& t) { t.contacts.rows[0].points[0].normalImpulse = 1; }},
+        {"contacts[0].points.gap = nan", [](Tables& t) { t.contacts.rows[0].points[0].gap = kNan; }},
+        {"contacts[0].restGap = 0", [](Tables& t) { t.contacts.rows[0].restGap = 0; }},
+    });
+}
+
+TEST(Validate, TellsWhatIsWrongWithTheOrderAndWithEvents)
+{
+    TRACES("R7", "ADR4", "ADR11", "ADR13");
+    expectTold({
+        {"order[1].color = 0: must have no two contacts of a body",
+         [](Tables& t) { t.contacts.colorEnds = {2, 2, 2}; }},
+        {"order[1].contact = 0: must be each contact, once", [](Tables& t) { t.contacts.order[1] = 0; }},
+        {"order[1].contact = 7: must be each contact, once", [](Tables& t) { t.contacts.order[1] = 7; }},
+        {"order[0].size = 1", [](Tables& t) { t.contacts.order.pop_back(); }},
+        {"order[0].row = 9", [](Tables& t) { t.contacts.rows[0].rowB = 9; }},
+        {"begins[1].shapeA = 0: must be in order", [](Tables& t) { std::swap(t.begins[0], t.begins[1]); }},
+        {"hits[1].time = 0: must be in order", [](Tables& t) { std::swap(t.hits[0], t.hits[1]); }},
+        {"hits[0].approachSpeed = 0", [](Tables& t) { t.hits[0].approachSpeed = 0; }},
+    });
+}
+
+TEST(Validate, AcceptsTwoContactsOfABodyInTheColorThatIsSolvedInOrder)
+{
+    TRACES("ADR11");
+    Tables tables;
+    tables.contacts.colorEnds = {2};
+    EXPECT_TRUE(tables.faults().empty());
+}
+
+}  // namespace
+}  // namespace tamias2d
