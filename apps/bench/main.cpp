@@ -11,6 +11,8 @@
 
 #include <algorithm>
 #include <chrono>
+#include <fstream>
+#include <stdexcept>
 
 namespace tamias2d::bench {
 namespace {
@@ -22,11 +24,17 @@ double millisecondsSince(Clock::time_point start)
     return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
 }
 
-nlohmann::json run(const Scene& scene, int steps, const Options& options)
+nlohmann::json run(const Scene& scene, int steps, const Options& options, const std::string& profile)
 {
     const auto start = Clock::now();
+    std::ofstream profileFile;  // outlives the engine, which writes its end
     const std::unique_ptr<Engine> engine = makeEngine(scene, options);
     const double build = millisecondsSince(start);
+    if (!profile.empty()) {
+        profileFile.open(profile);
+        if (!profileFile) throw std::runtime_error(profile + " cannot be written");
+        if (!engine->profileTo(profileFile)) throw std::runtime_error(engineTitle() + " keeps no profile");
+    }
 
     std::vector<double> times;
     std::map<std::string, double> phases;
@@ -80,13 +88,14 @@ int main(int argc, char** argv)
 {
     using namespace tamias2d::bench;
     CLI::App app{"One scene in one engine: " + engineTitle()};
-    std::string name;
+    std::string name, profile;
     int steps = 0;
     Options options;
     bool list = false;
     app.add_option("scene", name, "its name");
     app.add_option("--steps", steps, "instead of the scene's own number")->check(CLI::PositiveNumber);
     app.add_option("--threads", options.threads, "for engines that have any")->check(CLI::Range(1, 64));
+    app.add_option("--profile", profile, "write how long each stage of each step took to this JSON file");
     app.add_flag("--list", list, "names and groups of the scenes, as JSON");
     CLI11_PARSE(app, argc, argv);
 
@@ -100,7 +109,12 @@ int main(int argc, char** argv)
     for (const SceneEntry& entry : scenes()) {
         if (entry.name != name) continue;
         const Scene scene = entry.make();
-        fmt::print("{}\n", run(scene, steps > 0 ? steps : scene.steps, options).dump());
+        try {
+            fmt::print("{}\n", run(scene, steps > 0 ? steps : scene.steps, options, profile).dump());
+        } catch (const std::runtime_error& error) {
+            fmt::print(stderr, "{}\n", error.what());
+            return 1;
+        }
         return 0;
     }
     fmt::print(stderr, "no scene named \"{}\"; --list names them\n", name);

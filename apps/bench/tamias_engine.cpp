@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "engine.hpp"
 
+#include "profile/profile_json.hpp"
+
 #include <tamias2d/tamias2d.hpp>
 
 // Tamias2D with its defaults: 60 steps a second of 4 sub-steps. Compiled once a precision.
@@ -42,7 +44,23 @@ public:
         for (const SceneBody& source : scene.bodies) add(source);
     }
 
-    void step() override { report_ = world_.step(kTimeStep); }
+    ~TamiasEngine() override
+    {
+        if (profile_) profile_->finish();
+    }
+
+    void step() override
+    {
+        report_ = world_.step(kTimeStep);
+        if (profile_) profile_->add(world_.profile(), static_cast<std::int64_t>(world_.stepCount()));
+    }
+
+    bool profileTo(std::ostream& out) override
+    {
+        profile_.emplace(out);
+        world_.setProfiling(true);
+        return true;
+    }
 
     State state(std::size_t i) const override
     {
@@ -90,6 +108,7 @@ private:
     World world_;
     std::vector<Body> bodies_;
     StepReport report_;
+    std::optional<apps::ProfileJson> profile_;
 };
 
 }  // namespace

@@ -72,8 +72,8 @@ int run(Options options)
     if (!options.quiet) {
         const std::string& title = result.title.empty() ? options.request.scene : result.title;
         fmt::print("{}: {} bodies\n{}", title, result.bodies.size(), tableText(result, seconds));
-        for (const std::string* file :
-             {&options.request.trace, &options.request.report, &options.request.replay}) {
+        for (const std::string* file : {&options.request.trace, &options.request.report,
+                                        &options.request.replay, &options.request.profile}) {
             if (!file->empty()) fmt::print("  wrote      {}\n", *file);
         }
     }
@@ -131,6 +131,8 @@ void addRunOptions(CLI::App* verb, Options& options)
     verb->add_option("--trace", request.trace, "write every state to this CSV file");
     verb->add_option("--report", request.report, "write the result to this JSON file");
     verb->add_option("--replay", request.replay, "write a page to this HTML file, to watch in a browser");
+    verb->add_option("--profile", request.profile,
+                     "write how long each stage took to this JSON file, for a trace viewer");
     verb->add_flag("--quiet", options.quiet, "print nothing but errors");
 }
 

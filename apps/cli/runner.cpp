@@ -2,6 +2,7 @@
 // Simulates a scene and measures it. Compiled twice, in float and in double.
 #include "runner.hpp"
 
+#include "profile/profile_json.hpp"
 #include "replay.hpp"
 #include "report.hpp"
 #include "trace.hpp"
@@ -128,10 +129,14 @@ RunResult run(const RunRequest& request)
     const Timing timing = timingOf(request, scene.info);
 
     // Files first: a path that cannot be written should not cost a run.
-    OutputFile traceFile(request.trace), reportFile(request.report), replayFile(request.replay);
+    OutputFile traceFile(request.trace), reportFile(request.report), replayFile(request.replay),
+        profileFile(request.profile);
     std::optional<Trace> trace;
     std::optional<Replay> replay;
+    std::optional<apps::ProfileJson> profile;
     if (traceFile) trace.emplace(traceFile, world);
+    if (profileFile) profile.emplace(profileFile.stream());
+    world.setProfiling(profile.has_value());
     if (replayFile) replay.emplace(scene, ReplayTiming{timing.steps, timing.rate, timing.substeps});
 
     RunResult result;
@@ -144,15 +149,17 @@ RunResult run(const RunRequest& request)
 
     while (result.steps < timing.steps && result.failure.empty()) {
         measureStep(world, timedStep(world, timing), result);
+        if (profile) profile->add(world.profile(), result.steps);
         if (trace) trace->add(world);
         if (replay) replay->add(world);
         if (request.onStep) request.onStep(result.steps, timing.steps);
     }
 
     finish(world, result);
+    if (profile) profile->finish();
     if (replay) replay->write(replayFile, world);
     if (reportFile) reportFile.stream() << reportText(result);
-    for (OutputFile* file : {&traceFile, &reportFile, &replayFile}) {
+    for (OutputFile* file : {&traceFile, &reportFile, &replayFile, &profileFile}) {
         const std::string failure = file->close();
         if (!failure.empty() && result.failure.empty()) result.failure = failure;
     }

@@ -4,6 +4,7 @@
 #include <tamias2d/base/config.hpp>
 #include <tamias2d/base/error.hpp>
 #include <tamias2d/base/ids.hpp>
+#include <tamias2d/base/profile.hpp>
 #include <tamias2d/diagnostics/energy.hpp>
 #include <tamias2d/forces/force_law.hpp>
 #include <tamias2d/geometry/aabb.hpp>

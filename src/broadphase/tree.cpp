@@ -27,7 +27,7 @@ void BoxTree::build(std::vector<SweepBox>& boxes, std::size_t shapeSlots)
         }
         below = nodes.size();
     }
-    levels_.resize(level);
+    height_ = level;
 }
 
 const SweepBox* BoxTree::boxOf(std::uint32_t shape) const
@@ -41,8 +41,9 @@ void BoxTree::grow(std::uint32_t shape, const Aabb& box)
 {
     std::size_t i = placeOf_[shape];
     (*boxes_)[i].box = merged((*boxes_)[i].box, box);
-    for (std::vector<Aabb>& nodes : levels_) {
+    for (std::size_t level = 0; level < height_; ++level) {
         i /= kFan;
+        std::vector<Aabb>& nodes = levels_[level];
         nodes[i] = merged(nodes[i], box);
     }
 }
@@ -50,7 +51,7 @@ void BoxTree::grow(std::uint32_t shape, const Aabb& box)
 void BoxTree::overlapping(const Aabb& box, std::uint32_t body, std::vector<std::uint32_t>& found) const
 {
     found.clear();
-    if (!levels_.empty()) visit(levels_.size() - 1, 0, box, body, found);
+    if (height_ > 0) visit(height_ - 1, 0, box, body, found);
 }
 
 void BoxTree::visit(std::size_t level, std::size_t node, const Aabb& box, std::uint32_t body,

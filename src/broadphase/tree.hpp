@@ -29,7 +29,8 @@ private:
 
     std::vector<SweepBox>* boxes_ = nullptr;
     std::vector<std::uint32_t> placeOf_;  // by shape slot
-    std::vector<std::vector<Aabb>> levels_;  // the first over kFan boxes each, the last has one node
+    std::vector<std::vector<Aabb>> levels_;  // the first over kFan boxes each, the top has one node
+    std::size_t height_ = 0;  // levels in use; those above only keep their memory
 
     void visit(std::size_t level, std::size_t node, const Aabb& box, std::uint32_t body,
                std::vector<std::uint32_t>& found) const;

@@ -64,14 +64,19 @@ Contact makeContact(const ContactWorld& world, const ShapePair& pair)
 }
 
 void matchPairs(const ContactWorld& world, const std::vector<ShapePair>& pairs,
-                std::vector<Contact>& contacts, const std::function<void(const Contact&)>& onLeave)
+                std::vector<Contact>& contacts, MatchScratch& scratch)
 {
-    std::vector<Contact> matched;
-    matched.reserve(pairs.size());
+    std::vector<Contact>& matched = scratch.matched;
+    matched.clear();
+    matched.reserve(contacts.capacity());  // the two take turns
+    scratch.left.clear();
+    const auto leave = [&](const Contact& contact) {
+        if (contact.touching) scratch.left.push_back(contact);
+    };
     std::size_t old = 0;
     for (const ShapePair& pair : pairs) {
         if (!mayCollide(world, pair)) continue;
-        for (; old < contacts.size() && isBefore(contacts[old], pair); ++old) onLeave(contacts[old]);
+        for (; old < contacts.size() && isBefore(contacts[old], pair); ++old) leave(contacts[old]);
         if (old < contacts.size() && contacts[old].shapeA == pair.a && contacts[old].shapeB == pair.b) {
             matched.push_back(contacts[old++]);
             refresh(world, matched.back());
@@ -79,7 +84,7 @@ void matchPairs(const ContactWorld& world, const std::vector<ShapePair>& pairs,
             matched.push_back(makeContact(world, pair));
         }
     }
-    for (; old < contacts.size(); ++old) onLeave(contacts[old]);
+    for (; old < contacts.size(); ++old) leave(contacts[old]);
     contacts.swap(matched);
 }
 

@@ -7,8 +7,6 @@
 #include "model/motion.hpp"
 #include "model/shapes.hpp"
 
-#include <functional>
-
 namespace tamias2d::inline TAMIAS_PRECISION {
 
 /// What the contacts need to know of the world they are in.
@@ -26,9 +24,15 @@ bool mayCollide(const ContactWorld& world, const ShapePair& pair);
 /// A contact of the pair as it is before any manifold: materials mixed, rows looked up.
 Contact makeContact(const ContactWorld& world, const ShapePair& pair);
 
+/// What matching works with; it keeps its memory from step to step.
+struct MatchScratch {
+    std::vector<Contact> matched;
+    std::vector<Contact> left;    // contacts that touched and have no pair any more, in their order
+};
+
 /// Brings the contacts in line with the sorted pairs: old ones keep all they carry, new ones start
-/// empty, those without a pair leave; `onLeave` hears of each that leaves.
+/// empty, those without a pair leave; those of them that touched stand in `scratch.left`.
 void matchPairs(const ContactWorld& world, const std::vector<ShapePair>& pairs,
-                std::vector<Contact>& contacts, const std::function<void(const Contact&)>& onLeave);
+                std::vector<Contact>& contacts, MatchScratch& scratch);
 
 }  // namespace tamias2d::inline TAMIAS_PRECISION

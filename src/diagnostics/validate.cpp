@@ -165,10 +165,11 @@ void validateContact(const Contact& c, Faults& faults)
 
 }  // namespace
 
-void validateContacts(const ContactTable& contacts, const ShapeTable& shapes, Faults& faults)
+void validateContacts(std::span<const Contact> contacts, bool sorted, const ShapeTable& shapes,
+                      Faults& faults)
 {
-    for (std::size_t i = 0; i < contacts.rows.size(); ++i) {
-        const Contact& c = contacts.rows[i];
+    for (std::size_t i = 0; i < contacts.size(); ++i) {
+        const Contact& c = contacts[i];
         faults.at("contacts", i);
         faults.that(c.shapeA < c.shapeB, "shapeA", c.shapeA, "must be below shapeB");
         const auto lives = [&](std::uint32_t s) { return s < shapes.rows.size() && shapes.ids.isAlive(s); };
@@ -177,13 +178,50 @@ void validateContacts(const ContactTable& contacts, const ShapeTable& shapes, Fa
         if (lives(c.shapeA) && lives(c.shapeB))
             faults.that(shapes.rows[c.shapeA].body != shapes.rows[c.shapeB].body, "shapeB", c.shapeB,
                         "must be of another body than shapeA");
-        if (i > 0) {
-            const Contact& before = contacts.rows[i - 1];
+        if (i > 0 && sorted) {
+            const Contact& before = contacts[i - 1];
             faults.that(std::tie(before.shapeA, before.shapeB) < std::tie(c.shapeA, c.shapeB), "shapeB",
                         c.shapeB, "must come after the pair before, in order of slots");
         }
         validateContact(c, faults);
     }
+}
+
+void validateSleep(const SleepTable& asleep, const BodyTable& bodies, const ShapeTable& shapes,
+                   Faults& faults)
+{
+    std::uint32_t sleepers = 0, touching = 0;
+    for (std::uint32_t number = 0; number < asleep.groups.size(); ++number) {
+        const SleepGroup& group = asleep.groups[number];
+        const auto isMember = [&](std::uint32_t body) { return bodies.rows[body].group == number; };
+        validateContacts(group.contacts, true, shapes, faults);
+        faults.at("sleep groups", number);
+        sleepers += static_cast<std::uint32_t>(group.bodies.size());
+        for (const std::uint32_t body : group.bodies) {
+            const bool lives = body < bodies.rows.size() && bodies.ids.isAlive(body);
+            faults.that(lives, "bodies", body, "must be live bodies");
+            if (!lives) continue;
+            faults.that(isMember(body), "bodies", body, "must know their group");
+            faults.that(!bodies.rows[body].hasVelocity(), "bodies", body, "must be still");
+            faults.that(!bodies.rows[body].takesPart, "bodies", body, "must take no part in steps");
+        }
+        for (const Contact& c : group.contacts) {
+            touching += c.touching ? 1 : 0;
+            const std::uint32_t a = shapes.rows[c.shapeA].body, b = shapes.rows[c.shapeB].body;
+            faults.that(isMember(a) || isMember(b), "contacts", c.shapeA, "must be of a body of the group");
+            faults.that(isMember(a) || !bodies.rows[a].canMove(), "contacts", a,
+                        "must lead to none that moves");
+            faults.that(isMember(b) || !bodies.rows[b].canMove(), "contacts", b,
+                        "must lead to none that moves");
+        }
+    }
+    faults.at("sleep groups", 0);
+    faults.that(sleepers == asleep.bodies, "all bodies", sleepers, "must be counted");
+    faults.that(touching == asleep.touching, "all touching", touching, "must be counted");
+    for (std::uint32_t body = 0; body < bodies.rows.size(); ++body) {
+        if (bodies.ids.isAlive(body) && bodies.rows[body].isAsleep()) --sleepers;
+    }
+    faults.that(sleepers == 0, "sleeping bodies", sleepers, "must each be in their group");
 }
 
 void validateOrder(const ContactTable& contacts, const MotionTable& motions, Faults& faults)

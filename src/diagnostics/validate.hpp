@@ -6,8 +6,11 @@
 #include "model/contacts.hpp"
 #include "model/motion.hpp"
 #include "model/shapes.hpp"
+#include "model/sleep.hpp"
 
 #include <tamias2d/model/events.hpp>
+
+#include <span>
 
 namespace tamias2d::inline TAMIAS_PRECISION {
 
@@ -30,9 +33,14 @@ void validateBodies(const BodyTable& bodies, const ShapeTable& shapes, real leng
 /// Each live shape belongs to one body, is what its definition says, and is convex.
 void validateShapes(const ShapeTable& shapes, const BodyTable& bodies, Faults& faults);
 
-/// Sorted, each pair once, of live shapes of two bodies; normals of length 1, impulses that push and stay
-/// within Coulomb's cone.
-void validateContacts(const ContactTable& contacts, const ShapeTable& shapes, Faults& faults);
+/// Each pair once, of live shapes of two bodies, sorted unless contacts have come since the last step;
+/// normals of length 1, impulses that push and stay within Coulomb's cone.
+void validateContacts(std::span<const Contact> contacts, bool sorted, const ShapeTable& shapes,
+                      Faults& faults);
+
+/// Bodies of a sleeping group know it, and are still; what touches them sleeps with them or cannot move.
+void validateSleep(const SleepTable& asleep, const BodyTable& bodies, const ShapeTable& shapes,
+                   Faults& faults);
 
 /// The order of solving has each contact once, and no two of one color share a body that moves. Only as the
 /// step left them: `motions` and the contacts' rows in it are of the last step.

@@ -6,11 +6,14 @@
 namespace tamias2d::inline TAMIAS_PRECISION {
 
 void colorConstraints(const std::vector<RowPair>& constraints, const std::vector<bool>& movable,
-                      std::vector<std::uint32_t>& order, std::vector<std::uint32_t>& ends)
+                      std::vector<std::uint32_t>& order, std::vector<std::uint32_t>& ends,
+                      ColorScratch& scratch)
 {
     constexpr std::uint32_t kColors = 64;
-    std::vector<std::uint64_t> used(movable.size(), 0);
-    std::vector<std::uint8_t> colors(constraints.size());
+    std::vector<std::uint64_t>& used = scratch.used;
+    std::vector<std::uint8_t>& colors = scratch.colors;
+    used.assign(movable.size(), 0);
+    colors.resize(constraints.size());
     std::uint32_t sizes[kColors + 1] = {};
 
     for (std::size_t i = 0; i < constraints.size(); ++i) {

@@ -21,16 +21,19 @@ struct Islands {
     std::vector<std::uint32_t> islandOf;  // by row; kNone for a ground
     std::vector<std::uint32_t> groundOf;  // by island: a row, kNone or kSeveral
     std::vector<std::uint32_t> sizeOf;    // by island: rows in it
+    std::vector<std::uint32_t> parent;    // by row: what linking works with
     std::uint32_t count() const { return static_cast<std::uint32_t>(groundOf.size()); }
 };
 
 /// Groups the pushable rows by links. Islands are numbered in order of their lowest row.
-/// `sameMotion(g1, g2)` says whether two grounds move as one.
+/// `sameMotion(g1, g2)` says whether two grounds move as one. The memory of `islands` is used again.
 template <class SameMotion>
-Islands linkIslands(const std::vector<Link>& links, const std::vector<bool>& pushable, SameMotion sameMotion)
+void linkIslands(const std::vector<Link>& links, const std::vector<bool>& pushable, SameMotion sameMotion,
+                 Islands& islands)
 {
     const auto rows = static_cast<std::uint32_t>(pushable.size());
-    std::vector<std::uint32_t> parent(rows);
+    std::vector<std::uint32_t>& parent = islands.parent;
+    parent.resize(rows);
     for (std::uint32_t i = 0; i < rows; ++i) parent[i] = i;
     const auto root = [&](std::uint32_t i) {
         while (parent[i] != i) i = parent[i] = parent[parent[i]];
@@ -42,8 +45,9 @@ Islands linkIslands(const std::vector<Link>& links, const std::vector<bool>& pus
         if (a != b) parent[a < b ? b : a] = a < b ? a : b;  // the lowest row leads
     }
 
-    Islands islands;
     islands.islandOf.assign(rows, Islands::kNone);
+    islands.groundOf.clear();
+    islands.sizeOf.clear();
     for (std::uint32_t i = 0; i < rows; ++i) {
         if (!pushable[i]) continue;
         const std::uint32_t leader = root(i);
@@ -65,7 +69,6 @@ Islands linkIslands(const std::vector<Link>& links, const std::vector<bool>& pus
         else if (known != Islands::kSeveral && known != ground && !sameMotion(known, ground))
             known = Islands::kSeveral;
     }
-    return islands;
 }
 
 }  // namespace tamias2d::inline TAMIAS_PRECISION

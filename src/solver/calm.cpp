@@ -7,26 +7,6 @@
 namespace tamias2d::inline TAMIAS_PRECISION {
 namespace {
 
-// A rigid motion, and how it changed in the tick.
-struct Reference {
-    Position center;
-    Vec2 velocity, change;
-    real spin = 0, spinChange = 0;
-};
-
-// Mass, motion and what calming took away of an island that stands on nothing.
-struct FreeIsland {
-    double mass = 0, inertia = 0;
-    DVec2 weighted;              // sum of m x, from the island's first body
-    Position first;
-    bool started = false;
-    DVec2 momentum, momentumChange;
-    double turning = 0, turningChange = 0;   // angular momentum about the center, and its change
-    Reference motion;
-    DVec2 lost;                  // momentum
-    double lostSpin = 0;         // angular momentum about the center
-};
-
 double massOf(const Motion& m)
 {
     const real inverse = maximum(m.invMass.x, m.invMass.y);
@@ -38,10 +18,10 @@ double inertiaOf(const Motion& m)
 }
 
 // Mass-weighted rigid motion of each island without a ground.
-std::vector<FreeIsland> measureFreeIslands(const std::vector<Motion>& rows,
-                                           const std::vector<TickChange>& changes, const Islands& islands)
+void measureFreeIslands(const std::vector<Motion>& rows, const std::vector<TickChange>& changes,
+                        const Islands& islands, std::vector<FreeIsland>& free)
 {
-    std::vector<FreeIsland> free(islands.count());
+    free.assign(islands.count(), {});
     const auto each = [&](auto&& visit) {
         for (std::size_t i = 0; i < rows.size(); ++i) {
             const std::uint32_t island = islands.islandOf[i];
@@ -79,12 +59,11 @@ std::vector<FreeIsland> measureFreeIslands(const std::vector<Motion>& rows,
         island.motion.spin = static_cast<real>(island.turning / island.inertia);
         island.motion.spinChange = static_cast<real>(island.turningChange / island.inertia);
     }
-    return free;
 }
 
-Reference motionOfGround(const Motion& ground)
+CalmReference motionOfGround(const Motion& ground)
 {
-    Reference reference;
+    CalmReference reference;
     reference.center = ground.center;
     reference.velocity = ground.velocity;
     reference.spin = ground.spin;
@@ -94,7 +73,7 @@ Reference motionOfGround(const Motion& ground)
 }  // namespace
 
 void calm(std::vector<Motion>& rows, const std::vector<TickChange>& changes, const Islands& islands,
-          const StepContext& context)
+          const StepContext& context, std::vector<FreeIsland>& free)
 {
     const real rate = context.tuning.calmRate;
     if (!(rate > 0)) return;
@@ -104,8 +83,7 @@ void calm(std::vector<Motion>& rows, const std::vector<TickChange>& changes, con
         if (rows[i].loaded && island != Islands::kNone && islands.groundOf[island] == Islands::kNone)
             anyFree = true;
     }
-    std::vector<FreeIsland> free;
-    if (anyFree) free = measureFreeIslands(rows, changes, islands);
+    if (anyFree) measureFreeIslands(rows, changes, islands, free);
 
     for (std::size_t i = 0; i < rows.size(); ++i) {
         Motion& m = rows[i];
@@ -116,7 +94,7 @@ void calm(std::vector<Motion>& rows, const std::vector<TickChange>& changes, con
         if (ground == Islands::kSeveral) continue;  // no one motion to come to rest against
         const bool isFree = ground == Islands::kNone;
         if (isFree && !m.isFree()) continue;   // its momentum could not be given back
-        const Reference reference = isFree ? free[island].motion : motionOfGround(rows[ground]);
+        const CalmReference reference = isFree ? free[island].motion : motionOfGround(rows[ground]);
 
         // Motion against the reference, and whether its kinetic energy rises.
         const Vec2 r = toVec2(m.center - reference.center);

@@ -15,9 +15,30 @@ struct TickChange {
     real spin = 0;   // [rad/s]
 };
 
+/// A rigid motion, and how it changed in the tick.
+struct CalmReference {
+    Position center;
+    Vec2 velocity, change;
+    real spin = 0, spinChange = 0;
+};
+
+/// Mass, motion and what calming took away of an island that stands on nothing.
+struct FreeIsland {
+    double mass = 0, inertia = 0;
+    DVec2 weighted;              // sum of m x, from the island's first body
+    Position first;
+    bool started = false;
+    DVec2 momentum, momentumChange;
+    double turning = 0, turningChange = 0;   // angular momentum about the center, and its change
+    CalmReference motion;
+    DVec2 lost;                  // momentum
+    double lostSpin = 0;         // angular momentum about the center
+};
+
 /// Slows loaded bodies that are already slow and not speeding up, against the ground their island
-/// stands on, or against the island's own motion, whose momentum is kept. docs/theory/calm.md.
+/// stands on, or against the island's own motion, whose momentum is kept. `free` is scratch.
+/// docs/theory/calm.md.
 void calm(std::vector<Motion>& rows, const std::vector<TickChange>& changes, const Islands& islands,
-          const StepContext& context);
+          const StepContext& context, std::vector<FreeIsland>& free);
 
 }  // namespace tamias2d::inline TAMIAS_PRECISION

@@ -4,7 +4,6 @@
 
 #include "solver/solve.hpp"
 
-#include "base/timer.hpp"
 #include "contacts/rows.hpp"
 #include "solver/calm.hpp"
 #include "solver/integrate.hpp"
@@ -128,6 +127,8 @@ SolverCounts solve(SolverStage& stage, const StepContext& context)
 
     Stopwatch watch;
     for (int tick = 0; tick < context.ticks; ++tick) {
+        const ProfileScope tickSpan(stage.profile, "tick");
+        ProfileScope span(stage.profile, "forces");
         const double time = context.time + context.dt * tick / context.ticks;
         scratch.kicks.assign(rows.size(), {});
         scratch.changes.assign(rows.size(), {});
@@ -136,8 +137,11 @@ SolverCounts solve(SolverStage& stage, const StepContext& context)
             counts.lawFaults += accelerate(stage.motions, stage.world.bodies, stage.field, time);
 
         // Impacts at their times.
+        span.next("swept pairs");
         resweepForTick(impacts, scratch.ways, context);
+        span.next("warm start");
         gatherSteady(stage, context);
+        span.next("impacts");
         applyImpacts(impacts, context, tick);
         scratch.changes.resize(rows.size());  // for those that came in
         scratch.pushes.resize(rows.size());
@@ -146,6 +150,7 @@ SolverCounts solve(SolverStage& stage, const StepContext& context)
         counts.impactTime += watch.lap();
 
         // First kick, contacts.
+        span.next("passes");
         for (std::size_t i = 0; i < rows.size(); ++i) {
             kickFirst(rows[i], scratch.kicks[i]);
             scratch.changes[i] = {-rows[i].velocity, -rows[i].spin};
@@ -160,6 +165,7 @@ SolverCounts solve(SolverStage& stage, const StepContext& context)
         }
 
         // Drift, second kick.
+        span.next("drift");
         for (std::size_t i = 0; i < rows.size(); ++i)
             scratch.ways[i] = drift(rows[i], scratch.pushes[i], context.h);
         if (varies)
@@ -172,7 +178,8 @@ SolverCounts solve(SolverStage& stage, const StepContext& context)
             scratch.changes[i].velocity += context.h * m.acceleration;
             scratch.changes[i].spin += context.h * m.spinRate;
         }
-        calm(rows, scratch.changes, stage.islands, context);
+        span.next("calm");
+        calm(rows, scratch.changes, stage.islands, context, scratch.freeIslands);
         for (Motion& m : rows)
             if (m.moves() && clampSpeed(m, context.lengthUnit)) ++counts.clamps.speed;
         counts.solveTime += watch.lap();

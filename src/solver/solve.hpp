@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "base/timer.hpp"
 #include "contacts/rows.hpp"
 #include "forces/accelerations.hpp"
 #include "islands/links.hpp"
@@ -18,6 +19,7 @@ struct SolverScratch {
     std::vector<Way> ways;              // by row: in the last tick
     std::vector<std::pair<Vec2, real>> held;   // by row: velocity and spin
     std::vector<real> unrest, unrestBefore;    // by island: greatest change of speed in a pass   [m/s]
+    std::vector<FreeIsland> freeIslands;       // by island
     ContactBlocks blocks;
     ImpactScratch impacts;
 };
@@ -35,6 +37,7 @@ struct SolverStage {
     std::vector<ImpactRecord>& impacts;   ///< filled
     std::vector<std::uint32_t>& roused;   ///< filled: sleeping groups that woke in mid-step
     SolverScratch& scratch;
+    Profile& profile;
 };
 
 /// What the solver counted and how long its parts took.

@@ -10,9 +10,19 @@ namespace {
 constexpr double kTiny = std::numeric_limits<float>::min();  // smallest value that divides safely
 constexpr double kHuge = 1e30;                               // and largest: products stay finite in float
 
-std::string bound(double value, std::string_view unit)
+// The rules that name a bound put it into words for a refused value only: setters allocate nothing.
+template <class T>
+Complaint checkBound(bool holds, std::string_view field, const T& value, std::string_view rule, double bound,
+                     std::string_view end)
 {
-    return textOf(value) + " " + std::string(unit);
+    if (holds) return std::nullopt;
+    return checkThat(false, field, value, std::string(rule) + textOf(bound) + " " + std::string(end));
+}
+
+Complaint checkLength(std::string_view field, Vec2 value, double most)
+{
+    const bool holds = isFiniteValue(value) && length(toDVec2(value)) <= most;
+    return checkBound(holds, field, value, "must be finite, its length at most ", most, "m");
 }
 
 }  // namespace
@@ -27,16 +37,17 @@ bool refuse(const Complaint& complaint)
 Complaint checkPosition(std::string_view field, Position position, real lengthUnit)
 {
     const double most = kMaxPosition * static_cast<double>(lengthUnit);
-    return checkThat(isFiniteValue(position) && absolute(position.x) <= most && absolute(position.y) <= most,
-                     field, position, "must be finite, each coordinate within +-" + bound(most, "m"));
+    const bool holds =
+        isFiniteValue(position) && absolute(position.x) <= most && absolute(position.y) <= most;
+    return checkBound(holds, field, position, "must be finite, each coordinate within +-", most, "m");
 }
 
 Complaint checkVelocity(std::string_view field, Vec2 velocity, real lengthUnit)
 {
     const double most = kMaxSpeed * static_cast<double>(lengthUnit);
     const double speed = length(toDVec2(velocity));
-    return checkThat(isFiniteValue(velocity) && speed <= most, field, velocity,
-                     "must be finite, its length at most " + bound(most, "m/s"));
+    return checkBound(isFiniteValue(velocity) && speed <= most, field, velocity,
+                      "must be finite, its length at most ", most, "m/s");
 }
 
 Complaint checkSpin(std::string_view field, real spin)
@@ -103,8 +114,8 @@ Complaint check(const MassProperties& m, real lengthUnit)
     const double most = kMaxSize * static_cast<double>(lengthUnit);
     return Checks()
         .range("MassProperties.mass", m.mass, kTiny, kHuge, "must be finite and > 0 kg")
-        .that(isFiniteValue(m.center) && length(toDVec2(m.center)) <= most, "MassProperties.center", m.center,
-              "must be finite and within " + bound(most, "m") + " of the origin")
+        .add(checkBound(isFiniteValue(m.center) && length(toDVec2(m.center)) <= most, "MassProperties.center",
+                        m.center, "must be finite and within ", most, "m of the origin"))
         .that(m.inertia == 0 || (m.inertia >= real(kTiny) && m.inertia <= real(kHuge)),
               "MassProperties.inertia", m.inertia, "must be finite and >= 0 kg*m^2")
         .first();
@@ -145,8 +156,7 @@ Complaint check(const ShapeDef& def, real lengthUnit)
     const double unit = static_cast<double>(lengthUnit);
     return Checks()
         .add(checkGeometry("ShapeDef.geometry", def.geometry, kMinSize * unit, kMaxSize * unit))
-        .that(isFiniteValue(def.offset) && length(toDVec2(def.offset)) <= kMaxSize * unit, "ShapeDef.offset",
-              def.offset, "must be finite, its length at most " + bound(kMaxSize * unit, "m"))
+        .add(checkLength("ShapeDef.offset", def.offset, kMaxSize * unit))
         .finite("ShapeDef.angle", def.angle, "must be finite rad")
         .range("ShapeDef.density", def.density, 0, kHuge, "must be finite and >= 0 kg/m^2")
         .add(check(def.material))
@@ -158,8 +168,7 @@ Complaint check(const LastingForce& f, real lengthUnit)
     const double most = kMaxPosition * static_cast<double>(lengthUnit);
     return Checks()
         .finite("LastingForce.force", f.force, "must be finite N")
-        .that(isFiniteValue(f.point) && length(toDVec2(f.point)) <= most, "LastingForce.point", f.point,
-              "must be finite, its length at most " + bound(most, "m"))
+        .add(checkLength("LastingForce.point", f.point, most))
         .finite("LastingForce.torque", f.torque, "must be finite N*m")
         .first();
 }

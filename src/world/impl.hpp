@@ -2,11 +2,14 @@
 #pragma once
 
 #include "base/check.hpp"
+#include "base/timer.hpp"
 #include "broadphase/rest_trees.hpp"
 #include "broadphase/sweep.hpp"
 #include "contacts/update.hpp"
 #include "diagnostics/faults.hpp"
 #include "forces/accelerations.hpp"
+#include "graph/coloring.hpp"
+#include "islands/links.hpp"
 #include "model/bodies.hpp"
 #include "model/contacts.hpp"
 #include "model/motion.hpp"
@@ -46,6 +49,16 @@ struct Census {
     std::uint32_t bodies = 0, dynamicBodies = 0, shapes = 0;   // enabled, or of enabled bodies
 };
 
+/// Who must be solved together and who may be side by side, and what finding out works with.
+struct GraphScratch {
+    std::vector<bool> movable;   // by row: can anything push it?
+    std::vector<Link> links;
+    Islands islands;             // by load or touch
+    Islands crowds;              // of all that meet
+    std::vector<RowPair> pairs;
+    ColorScratch colors;
+};
+
 /// All that one World owns.
 struct World::Impl {
     explicit Impl(const WorldDef& def, std::uint32_t number)
@@ -81,6 +94,8 @@ struct World::Impl {
     std::vector<TouchEvent> begins, ends, endsOfDestroyed;
     std::vector<HitEvent> hits;
 
+    Profile profile;
+
     // Scratch that keeps its memory from step to step.
     MotionTable motions;
     std::vector<SweepBox> boxes;
@@ -91,6 +106,8 @@ struct World::Impl {
     std::vector<ShapePair> pairs;
     SweepScratch sweepScratch;
     ExpectedPaths paths;
+    MatchScratch matchScratch;
+    GraphScratch graph;
     std::vector<ImpactRecord> impacts;
     SolverScratch solverScratch;
 

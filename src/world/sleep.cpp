@@ -86,7 +86,10 @@ void World::Impl::wakeGroup(std::uint32_t number, bool withContacts)
         contactsAreSorted = false;
         contacts.rows.insert(contacts.rows.end(), group.contacts.begin(), group.contacts.end());
     }
-    group = {};
+    group.bodies.clear();  // and the like: their memory is kept for the next group
+    group.contacts.clear();
+    group.lawForces.clear();
+    group.lawsWereAsked = false;
     asleep.free.push_back(number);
 }
 

@@ -23,24 +23,24 @@ bool byShapes(const Row& a, const Row& b)
 }
 
 // By row: can anything push it?
-std::vector<bool> movableRows(const MotionTable& motions)
+void listMovable(const MotionTable& motions, std::vector<bool>& movable)
 {
-    std::vector<bool> movable;
+    movable.clear();
     for (const Motion& m : motions.rows) movable.push_back(m.moves());
-    return movable;
 }
 
-void colorContacts(ContactTable& contacts, const std::vector<bool>& movable)
+void colorContacts(ContactTable& contacts, GraphScratch& graph)
 {
-    std::vector<RowPair> pairs;
-    for (const Contact& c : contacts.rows) pairs.push_back({c.rowA, c.rowB});
-    colorConstraints(pairs, movable, contacts.order, contacts.colorEnds);
+    graph.pairs.clear();
+    for (const Contact& c : contacts.rows) graph.pairs.push_back({c.rowA, c.rowB});
+    colorConstraints(graph.pairs, graph.movable, contacts.order, contacts.colorEnds, graph.colors);
 }
 
-Islands linkTouching(const ContactTable& contacts, const MotionTable& motions,
-                     const std::vector<bool>& movable, const StepContext& context)
+void linkTouching(const ContactTable& contacts, const MotionTable& motions, const StepContext& context,
+                  GraphScratch& graph)
 {
-    std::vector<Link> links;
+    std::vector<Link>& links = graph.links;
+    links.clear();
     for (const Contact& c : contacts.rows) {
         bool linked = false;
         for (int i = 0; i < c.count; ++i) {
@@ -49,19 +49,22 @@ Islands linkTouching(const ContactTable& contacts, const MotionTable& motions,
         }
         if (linked) links.push_back({c.rowA, c.rowB});
     }
-    return linkIslands(links, movable, [&](std::uint32_t a, std::uint32_t b) {
+    const auto sameMotion = [&](std::uint32_t a, std::uint32_t b) {
         const Motion &ma = motions.rows[a], &mb = motions.rows[b];
         const bool still = ma.velocity == Vec2{} && mb.velocity == Vec2{} && ma.spin == 0 && mb.spin == 0;
         return still || (ma.velocity == mb.velocity && ma.spin == 0 && mb.spin == 0);
-    });
+    };
+    linkIslands(links, graph.movable, sameMotion, graph.islands);
 }
 
-void markCrowds(ContactTable& contacts, const std::vector<bool>& movable, const Tuning& tuning)
+void markCrowds(ContactTable& contacts, const Tuning& tuning, GraphScratch& graph)
 {
-    std::vector<Link> links;
+    std::vector<Link>& links = graph.links;
+    links.clear();
     for (const Contact& c : contacts.rows)
         if (c.count > 0) links.push_back({c.rowA, c.rowB});
-    const Islands islands = linkIslands(links, movable, [](std::uint32_t, std::uint32_t) { return true; });
+    const Islands& islands = graph.crowds;
+    linkIslands(links, graph.movable, [](std::uint32_t, std::uint32_t) { return true; }, graph.crowds);
     const auto sizeAt = [&](std::uint32_t row) {
         const std::uint32_t island = islands.islandOf[row];
         return island == Islands::kNone ? 0u : islands.sizeOf[island];
@@ -104,6 +107,9 @@ StepReport World::Impl::step(double dt, int substeps)
     StepReport r;
     const StepContext context = makeStepContext(settings.tuning, settings.lengthUnit, time, dt, substeps);
     Stopwatch whole, watch;
+    profile.clear();
+    const ProfileScope wholeSpan(profile, "step");
+    ProfileScope span(profile, "gather");
     r.substeps = substeps;
 
     // Who takes part, with what acts on it.
@@ -116,18 +122,20 @@ StepReport World::Impl::step(double dt, int substeps)
     r.forceLawFaults += gather(forces, context);
 
     // Who might touch.
+    span.next("broad phase");
     sweepPairs(boxes, restPairs, pairs, sweepScratch);
     begins.clear();
     ends.swap(endsOfDestroyed);
     endsOfDestroyed.clear();
     sortContacts();
+    span.next("pairs to contacts");
     const ContactWorld world = contactWorld();
-    matchPairs(world, pairs, contacts.rows, [&](const Contact& contact) {
-        if (contact.touching) ends.push_back(touchEvent(contact));
-    });
+    matchPairs(world, pairs, contacts.rows, matchScratch);
+    for (const Contact& contact : matchScratch.left) ends.push_back(touchEvent(contact));
     r.times.pairs = watch.lap();
 
     // How.
+    span.next("manifolds");
     paths.begin(motions.rows.size(), static_cast<real>(dt), context.invH);
     for (std::size_t first = 0; first < contacts.rows.size(); first += kPairBatch) {
         const std::size_t count = minimum(kPairBatch, contacts.rows.size() - first);
@@ -141,17 +149,19 @@ StepReport World::Impl::step(double dt, int substeps)
     r.times.manifolds = watch.lap();
 
     // Who must be solved together, and who may be side by side.
-    const std::vector<bool> movable = movableRows(motions);
-    Islands islands = linkTouching(contacts, motions, movable, context);
-    markCrowds(contacts, movable, context.tuning);
-    colorContacts(contacts, movable);
+    span.next("islands and colors");
+    listMovable(motions, graph.movable);
+    linkTouching(contacts, motions, context, graph);
+    markCrowds(contacts, context.tuning, graph);
+    colorContacts(contacts, graph);
     r.times.graph = watch.lap();
 
     // Move.
+    span.next("solve");
     impacts.clear();
     roused.clear();
-    SolverStage stage{world,    forces, resting, asleep, islands,      motions,
-                      contacts, boxes,  impacts, roused, solverScratch};
+    SolverStage stage{world,    forces, resting, asleep, graph.islands, motions,
+                      contacts, boxes,  impacts, roused, solverScratch, profile};
     const SolverCounts counts = solve(stage, context);
     for (const std::uint32_t group : roused) wakeGroup(group, false);  // their contacts are here already
     r.clamps.speed += counts.clamps.speed;
@@ -165,11 +175,13 @@ StepReport World::Impl::step(double dt, int substeps)
     watch.lap();
 
     // Hand back, and say what happened.
+    span.next("finalize");
     const FinalCounts final = finalize(motions, contacts, shapes, bodies, context);
     r.nonFinite = final.nonFinite;
     if (r.nonFinite > 0) setAside();
     r.clamps.position = final.stopped;
     r.deepestOverlap = final.deepestOverlap;
+    span.next("events");
     contactsAreSorted = contactsAreSorted && r.repaired == 0 && roused.empty();
     sortContacts();
     for (Contact& contact : contacts.rows) {
@@ -197,6 +209,7 @@ StepReport World::Impl::step(double dt, int substeps)
     }
 
     // Who may rest now.
+    span.next("sleep");
     r.touching += asleep.touching;
     for (const Motion& m : motions.rows) refreshPart(m.body);
     fallAsleep(context);
@@ -211,7 +224,7 @@ StepReport World::Impl::step(double dt, int substeps)
     r.shapes = census.shapes;
     r.pairs = static_cast<std::uint32_t>(contacts.rows.size());
     r.impacts = static_cast<std::uint32_t>(impacts.size());
-    r.islands = islands.count();
+    r.islands = graph.islands.count();
     r.times.finalize = watch.lap();
     r.times.total = whole.lap();
     return r;

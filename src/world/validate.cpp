@@ -11,7 +11,7 @@ namespace {
 // Mass, inertia and center of a body are what its shapes make of it, unless they were set by hand.
 void validateMass(const BodyRow& b, const MassSum& sum, Faults& faults)
 {
-    if (b.massIsSet) return;
+    if (b.massIsSet || b.massIsStale) return;
     faults.that(b.mass == (sum.mass > 0 ? static_cast<real>(sum.mass) : real(1)), "mass", b.mass,
                 "must be that of its shapes");
     faults.that(b.inertia == static_cast<real>(sum.inertia), "inertia", b.inertia,
@@ -61,9 +61,12 @@ void World::Impl::validate(Faults& faults) const
         for (const std::uint32_t s : b.shapes) validateConvex(shapes.rows[s], b.localCenter, faults);
     }
     validateLaws(laws, lawIds, bodies, faults);
-    validateContacts(contacts, shapes, faults);
-    // A shape destroyed since takes the order with it; contacts found in mid-step were sorted in after it.
-    if (!contacts.order.empty() && report.repaired == 0) validateOrder(contacts, motions, faults);
+    validateContacts(contacts.rows, contactsAreSorted, shapes, faults);
+    validateSleep(asleep, bodies, shapes, faults);
+    // A shape destroyed and a group fallen asleep take the order with them; contacts that came in mid-step,
+    // or have woken since, are not in it.
+    const bool asTheStepLeftIt = contactsAreSorted && roused.empty() && report.repaired == 0;
+    if (!contacts.order.empty() && asTheStepLeftIt) validateOrder(contacts, motions, faults);
     validateEvents({begins, ends, hits}, faults);
 }
 

@@ -226,6 +226,15 @@ const StepReport& World::lastReport() const noexcept
     return impl_->report;
 }
 
+void World::setProfiling(bool on)
+{
+    impl_->profile.setOn(on);
+}
+std::span<const ProfileSpan> World::profile() const noexcept
+{
+    return impl_->profile.spans();
+}
+
 // --- results
 
 StepEvents World::events() const noexcept

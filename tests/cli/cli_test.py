@@ -92,6 +92,31 @@ class Run(Case):
         many = self.report("orbit", "--steps", 60, "--substeps", 16)
         self.assertNotEqual(one["hash"], many["hash"])
 
+    def test_profile_is_a_trace_whose_spans_nest(self):
+        path = self.path("profile.json")
+        report = self.report("pyramid:base=4", "--steps", 5, "--profile", path)
+        events = json.loads(pathlib.Path(path).read_text())["traceEvents"]
+        self.assertEqual(report["hash"], self.report("pyramid:base=4", "--steps", 5)["hash"])
+        spans = [e for e in events if e["ph"] == "X"]
+        self.assertEqual([e["args"]["step"] for e in spans if e["name"] == "step"], [1, 2, 3, 4, 5])
+        self.assertEqual(sum(e["name"] == "tick" for e in spans), 5 * 8)
+        for name in ("broad phase", "manifolds", "solve", "finalize", "passes"):
+            self.assertIn(name, {e["name"] for e in spans})
+        for thread in {e["tid"] for e in spans}:
+            open_ends = []  # of the spans around this one; in nanoseconds, which are whole
+            last = 0
+            for e in [e for e in spans if e["tid"] == thread]:
+                begin = round(1000 * e["ts"])
+                end = begin + round(1000 * e["dur"])
+                self.assertGreaterEqual(begin, last)
+                self.assertGreaterEqual(end, begin)
+                while open_ends and open_ends[-1] <= begin:
+                    open_ends.pop()
+                if open_ends:
+                    self.assertLessEqual(end, open_ends[-1], e)
+                open_ends.append(end)
+                last = begin
+
     def test_both_precisions(self):
         single = self.report("bounce", "--steps", 100, "--precision", "f32")
         double = self.report("bounce", "--steps", 100, "--precision", "f64")

@@ -59,7 +59,7 @@ private:
     {
         using S = RandomScript;
         static const std::vector<Operation> all = {
-            {"step", 20, &S::step},
+            {"step", 24, &S::step},
             {"create a body", 6, &S::createBody},
             {"destroy a body", 3, &S::destroyBody},
             {"create a shape", 2, &S::createShape},
@@ -76,6 +76,9 @@ private:
             {"enable or disable", 2, &S::setEnabled},
             {"set locks", 2, &S::setLocks},
             {"set damping", 1, &S::setDamping},
+            {"wake", 1, &S::wake},
+            {"put to sleep", 3, &S::putToSleep},
+            {"allow sleep", 1, &S::allowSleep},
             {"push", 2, &S::push},
             {"push on", 2, &S::pushOn},
             {"set gravity", 2, &S::setGravity},
@@ -301,6 +304,25 @@ private:
         if (!body.isAlive()) return;
         body.setLinearDamping(toReal(linear));
         body.setAngularDamping(toReal(below(2) * between(0, 3)));
+    }
+
+    void wake()
+    {
+        Body body = anyBody();
+        if (body.isAlive()) body.wake();
+    }
+
+    void putToSleep()
+    {
+        Body body = anyBody();
+        if (body.isAlive()) body.sleep();
+    }
+
+    void allowSleep()
+    {
+        Body body = anyBody();
+        if (body.isAlive()) body.setAllowSleep(below(4) != 0);
+        if (below(20) == 0) world_.setAllowSleep(below(3) != 0);
     }
 
     void push()

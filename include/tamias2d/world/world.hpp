@@ -2,6 +2,7 @@
 #pragma once
 
 #include <tamias2d/base/error.hpp>
+#include <tamias2d/base/profile.hpp>
 #include <tamias2d/diagnostics/energy.hpp>
 #include <tamias2d/forces/force_law.hpp>
 #include <tamias2d/geometry/aabb.hpp>
@@ -208,6 +209,11 @@ public:
     double time() const noexcept;  ///< sum of all dt   [s]
     std::uint64_t stepCount() const noexcept;
     const StepReport& lastReport() const noexcept;
+    /// Whether steps keep a profile: a span for each stage, and for its parts. Off at first; then it costs
+    /// nothing. Changes no result.
+    void setProfiling(bool on);
+    /// Of the last step, each thread's in order of their begins; empty while profiling is off.
+    std::span<const ProfileSpan> profile() const noexcept;
 
     // --- results
     StepEvents events() const noexcept;  ///< of the last step

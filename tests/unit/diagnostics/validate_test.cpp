@@ -47,7 +47,7 @@ struct Tables {
         Faults faults;
         validateBodies(bodies, shapes, 1, faults);
         validateShapes(shapes, bodies, faults);
-        validateContacts(contacts, shapes, faults);
+        validateContacts(contacts.rows, true, shapes, faults);
         validateOrder(contacts, motions, faults);
         validateEvents({begins, {}, hits}, faults);
         return faults.found();

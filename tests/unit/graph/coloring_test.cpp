@@ -47,7 +47,8 @@ TEST(Coloring, NoColorHoldsABodyTwice)
         ++degree[b];
     }
     std::vector<std::uint32_t> order, ends;
-    colorConstraints(pairs, movable, order, ends);
+    ColorScratch scratch;
+    colorConstraints(pairs, movable, order, ends, scratch);
     ASSERT_EQ(order.size(), pairs.size());
     EXPECT_EQ(std::set<std::uint32_t>(order.begin(), order.end()).size(), pairs.size());
     const int most = *std::max_element(degree.begin() + 1, degree.end());
@@ -70,7 +71,8 @@ TEST(Coloring, ABodyWithMoreContactsThanColorsIsStillSolved)
     std::vector<RowPair> pairs;
     for (std::uint32_t i = 1; i <= 200; ++i) pairs.push_back({0, i});
     std::vector<std::uint32_t> order, ends;
-    colorConstraints(pairs, std::vector<bool>(201, true), order, ends);
+    ColorScratch scratch;
+    colorConstraints(pairs, std::vector<bool>(201, true), order, ends, scratch);
     EXPECT_EQ(std::set<std::uint32_t>(order.begin(), order.end()).size(), 200u);
 }
 

@@ -73,7 +73,8 @@ Heap randomHeap(unsigned seed, std::uint32_t bodies, std::uint32_t contacts)
     }
     std::vector<bool> movable;
     for (const Motion& m : heap.motions.rows) movable.push_back(m.moves());
-    colorConstraints(pairs, movable, heap.contacts.order, heap.contacts.colorEnds);
+    ColorScratch scratch;
+    colorConstraints(pairs, movable, heap.contacts.order, heap.contacts.colorEnds, scratch);
     return heap;
 }
 

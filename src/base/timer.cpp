@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: MIT
+#include "base/timer.hpp"
+
+namespace tamias2d::inline TAMIAS_PRECISION {
+
+void Profile::setOn(bool on)
+{
+    if (on && !on_) start_ = std::chrono::steady_clock::now();
+    on_ = on;
+    clear();
+}
+
+double Profile::now() const
+{
+    return std::chrono::duration<double, std::micro>(std::chrono::steady_clock::now() - start_).count();
+}
+
+std::size_t Profile::open(const char* name)
+{
+    const double begin = now();
+    spans_.push_back({name, 0, depth_++, begin, begin});
+    return spans_.size() - 1;
+}
+
+void Profile::close(std::size_t span)
+{
+    spans_[span].end = now();
+    --depth_;
+}
+
+}  // namespace tamias2d::inline TAMIAS_PRECISION
