@@ -16,6 +16,7 @@ from pathlib import Path
 import check_layers
 import check_trace
 import doc_snippets
+import instructions
 
 ROOT = Path(__file__).resolve().parent.parent
 CODE_FOLDERS = ("include", "src", "apps", "tests", "examples")
@@ -43,6 +44,7 @@ def main() -> int:
         "trace": lambda a: check_trace.check(write=a.fix), "banned": check_banned, "paths": check_paths,
         "links": check_links,
         "sizes": report_sizes, "snippets": lambda a: doc_snippets.check(Path(a.build).resolve()), "tidy": check_tidy,
+        "instructions": lambda a: instructions.check(Path(a.build)),
     }
     parser = argparse.ArgumentParser(prog="./dev check", description=__doc__)
     parser.add_argument("names", nargs="*", metavar="NAME", help="checks to run; all if none is named")
