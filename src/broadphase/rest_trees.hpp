@@ -3,6 +3,8 @@
 
 #include "broadphase/float_box.hpp"
 
+#include <tamias2d/math/vec2.hpp>
+
 #include <cstdint>
 #include <vector>
 
@@ -29,21 +31,26 @@ public:
     void eachOverlapping(const Aabb& box, Visit visit) const
     {
         const FloatBox wanted = FloatBox::of(box);
-        std::uint32_t stack[kDeepest];
-        for (const Tree& tree : trees_) {
-            std::uint32_t depth = 0;
-            stack[depth++] = tree.root;
-            while (depth > 0) {
-                const Node& node = nodes_[stack[--depth]];
-                if (!overlaps(node.box, wanted)) continue;
-                if (node.isLeaf()) {
-                    visit(node.child);
-                } else {
-                    stack[depth++] = node.child + 1;
-                    stack[depth++] = node.child;
-                }
-            }
-        }
+        each([&wanted](const FloatBox& b) { return overlaps(b, wanted); }, visit);
+    }
+
+    /// The same for the boxes that the segment from `from` to `to` meets, and perhaps a few more.
+    template <class Visit>
+    void eachAlong(Position from, Position to, Visit visit) const
+    {
+        const FloatBox bounds = FloatBox::of(
+            {{minimum(from.x, to.x), minimum(from.y, to.y)}, {maximum(from.x, to.x), maximum(from.y, to.y)}});
+        const DVec2 way = to - from;
+        const double wide = absolute(way.y), high = absolute(way.x);
+        each(
+            [&](const FloatBox& b) {
+                if (!overlaps(b, bounds)) return false;
+                const double left = b.left, right = b.right, bottom = b.bottom, top = b.top;
+                const DVec2 center{left / 2 + right / 2 - from.x, bottom / 2 + top / 2 - from.y};
+                const double reach = (right / 2 - left / 2) * wide + (top / 2 - bottom / 2) * high;
+                return absolute(cross(way, center)) <= 1.0001 * reach;
+            },
+            visit);
     }
 
     std::size_t treeCount() const { return trees_.size(); }  ///< for tests
@@ -80,6 +87,26 @@ private:
     std::vector<Leaf> added_;  // not in a tree yet
     std::vector<std::uint32_t> places_;  // by shape: node, or index into added_ with kAdded, or kNone
     std::size_t count_ = 0;
+
+    template <class Meets, class Visit>
+    void each(Meets meets, Visit visit) const
+    {
+        std::uint32_t stack[kDeepest];
+        for (const Tree& tree : trees_) {
+            std::uint32_t depth = 0;
+            stack[depth++] = tree.root;
+            while (depth > 0) {
+                const Node& node = nodes_[stack[--depth]];
+                if (!meets(node.box)) continue;
+                if (node.isLeaf()) {
+                    visit(node.child);
+                } else {
+                    stack[depth++] = node.child + 1;
+                    stack[depth++] = node.child;
+                }
+            }
+        }
+    }
 
     std::uint32_t takePair();
     void sortAlongCurve();

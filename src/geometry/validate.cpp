@@ -26,12 +26,12 @@ struct CheckShape {
 
     std::string part(const char* name) const { return std::string(field) + name; }
 
+    bool isNear(Vec2 p) const { return absolute(double(p.x)) <= maxSize && absolute(double(p.y)) <= maxSize; }
     Complaint place(const std::string& name, Vec2 p) const
     {
         if (auto wrong = checkFinite(name, p)) return wrong;
-        const bool near = absolute(double(p.x)) <= maxSize && absolute(double(p.y)) <= maxSize;
-        return near ? std::nullopt
-                    : checkThat(false, name, p, between("each coordinate ", -maxSize, maxSize));
+        return isNear(p) ? std::nullopt
+                         : checkThat(false, name, p, between("each coordinate ", -maxSize, maxSize));
     }
     Complaint solidRadius(real radius) const
     {
@@ -79,7 +79,7 @@ Complaint CheckShape::vertices(std::span<const Vec2> points) const
 {
     const std::string name = part(".vertices");
     for (std::size_t i = 0; i < points.size(); ++i)
-        if (auto wrong = place(indexed(name, i), points[i])) return wrong;
+        if (!isNear(points[i])) return place(indexed(name, i), points[i]);
 
     for (std::size_t i = 0; i < points.size(); ++i) {
         const std::size_t next = (i + 1) % points.size();
@@ -120,7 +120,8 @@ Complaint CheckShape::order(std::span<const Vec2> points) const
     for (std::size_t i = 0; i < n; ++i) {
         for (const Vec2 p : points) {
             const DVec2 to = toDVec2(p) - toDVec2(points[i]);
-            if (cross(edge(i), to) >= -1e-9 * length(edge(i)) * length(to)) continue;
+            const double turn = cross(edge(i), to);
+            if (turn >= 0 || turn >= -1e-9 * length(edge(i)) * length(to)) continue;
             return InputError(name, textOf(points), "must go around once; its edges cross");
         }
     }
@@ -133,8 +134,9 @@ Complaint CheckShape::thickness(std::span<const Vec2> points) const
     for (std::size_t i = 0; i < points.size(); ++i) {
         const DVec2 from = toDVec2(points[i]);
         const DVec2 edge = toDVec2(points[(i + 1) % points.size()]) - from;
+        const double along = length(edge);
         double height = 0;
-        for (const Vec2 p : points) height = maximum(height, cross(edge, toDVec2(p) - from) / length(edge));
+        for (const Vec2 p : points) height = maximum(height, cross(edge, toDVec2(p) - from) / along);
         thinnest = minimum(thinnest, height);
     }
     if (thinnest >= minSize) return std::nullopt;

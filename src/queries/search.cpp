@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Questions about the present poses. Each looks at all shapes, rays first at the boxes around them: linear
-// in the number of shapes.
+// Questions about the present poses. What holds still is found in its trees; of what moves each shape is
+// looked at, by rays first at the box around it.
 
 #include "queries/search.hpp"
 
@@ -14,14 +14,21 @@ DVec2 rotated(const SinCos& q, DVec2 v)
     return {q.cos * v.x - q.sin * v.y, q.sin * v.x + q.cos * v.y};
 }
 
-template <class Visit>
-void eachShape(const SearchSpace& space, Visit visit)
+// Visits the shapes that may be meant: of those that hold still, what `eachResting` says.
+template <class EachResting, class Visit>
+void eachShape(const SearchSpace& space, EachResting eachResting, Visit visit)
 {
-    for (std::uint32_t slot = 0; slot < space.shapes.rows.size(); ++slot) {
-        if (!space.shapes.ids.isAlive(slot)) continue;
+    const auto visitOne = [&](std::uint32_t slot) {
         const ShapeRow& shape = space.shapes.rows[slot];
-        const BodyRow& body = space.bodies.rows[shape.body];
-        if (body.enabled && shouldCollide(space.filter, shape.def.filter)) visit(slot, body, shape);
+        if (shouldCollide(space.filter, shape.def.filter)) visit(slot, space.bodies.rows[shape.body], shape);
+    };
+    eachResting(visitOne);
+    std::vector<std::uint32_t> parts = space.bodies.parts;  // some may be there twice
+    std::sort(parts.begin(), parts.end());
+    parts.erase(std::unique(parts.begin(), parts.end()), parts.end());
+    for (const std::uint32_t part : parts) {
+        if (!space.bodies.rows[part].takesPart) continue;
+        for (const std::uint32_t slot : space.bodies.rows[part].shapes) visitOne(slot);
     }
 }
 
@@ -54,20 +61,24 @@ bool containsPoint(const BodyRow& body, const ShapeRow& shape, Position point)
 std::vector<ShapeId> shapesAt(const SearchSpace& space, Position point)
 {
     std::vector<ShapeId> found;
-    eachShape(space, [&](std::uint32_t slot, const BodyRow& body, const ShapeRow& shape) {
+    const auto resting = [&](auto visit) { space.resting.eachOverlapping({point, point}, visit); };
+    eachShape(space, resting, [&](std::uint32_t slot, const BodyRow& body, const ShapeRow& shape) {
         if (containsPoint(body, shape, point)) found.push_back(space.shapes.ids.id(slot));
     });
+    std::sort(found.begin(), found.end());
     return found;
 }
 
 std::vector<ShapeId> shapesIn(const SearchSpace& space, const Aabb& box)
 {
     std::vector<ShapeId> found;
-    eachShape(space, [&](std::uint32_t slot, const BodyRow& body, const ShapeRow& shape) {
+    const auto resting = [&](auto visit) { space.resting.eachOverlapping(box, visit); };
+    eachShape(space, resting, [&](std::uint32_t slot, const BodyRow& body, const ShapeRow& shape) {
         const ShapeFrame frame = frameOf(body, shape);
         if (overlapsBox(shape.def.geometry, frame.origin, frame.rotation, box))
             found.push_back(space.shapes.ids.id(slot));
     });
+    std::sort(found.begin(), found.end());
     return found;
 }
 
@@ -76,7 +87,8 @@ std::vector<RayHit> shapesAlong(const SearchSpace& space, Position from, Positio
     const Aabb way{{minimum(from.x, to.x), minimum(from.y, to.y)},
                    {maximum(from.x, to.x), maximum(from.y, to.y)}};
     std::vector<RayHit> hits;
-    eachShape(space, [&](std::uint32_t slot, const BodyRow& body, const ShapeRow& shape) {
+    const auto resting = [&](auto visit) { space.resting.eachAlong(from, to, visit); };
+    eachShape(space, resting, [&](std::uint32_t slot, const BodyRow& body, const ShapeRow& shape) {
         if (!overlaps(way, boundsOf(body, shape))) return;
         const ShapeFrame frame = frameOf(body, shape);
         const auto local = castRay(shape.def.geometry, frame.toLocal(from), frame.toLocal(to));

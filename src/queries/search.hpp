@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "broadphase/rest_trees.hpp"
 #include "geometry/cast.hpp"
 #include "model/bodies.hpp"
 #include "model/shapes.hpp"
@@ -24,13 +25,16 @@ ShapeFrame frameOf(const BodyRow& body, const ShapeRow& shape);
 Aabb boundsOf(const BodyRow& body, const ShapeRow& shape);
 bool containsPoint(const BodyRow& body, const ShapeRow& shape, Position point);
 
-/// What the searches look through: shapes of enabled bodies whose filter agrees.
+/// What the searches look through: shapes of enabled bodies whose filter agrees. What holds still is found in
+/// its trees; those of bodies that take part in steps are looked at one by one.
 struct SearchSpace {
     const BodyTable& bodies;
     const ShapeTable& shapes;
+    const RestTrees& resting;
     const Filter& filter;
 };
 
+/// Sorted.
 std::vector<ShapeId> shapesAt(const SearchSpace& space, Position point);
 std::vector<ShapeId> shapesIn(const SearchSpace& space, const Aabb& box);
 /// Sorted by fraction, then by shape.

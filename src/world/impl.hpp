@@ -172,6 +172,7 @@ struct World::Impl {
     void wakeAll();
     void wakeTouching(std::uint32_t bodySlot, std::uint32_t shapeSlot = kNoShape);
     void wakeNear(std::uint32_t shapeSlot);
+    void wakeAmong(std::vector<std::uint32_t>& shapeSlots);
     void disturb(std::uint32_t bodySlot);
     void disturbShape(std::uint32_t shapeSlot);
     void forceComes(std::uint32_t bodySlot);

@@ -8,6 +8,16 @@
 #include <algorithm>
 
 namespace tamias2d::inline TAMIAS_PRECISION {
+namespace {
+
+// So that questions, which reckon in double, find all that touches their box.
+Aabb grown(const Aabb& box, real extent)
+{
+    const double slack = 1e-6 * static_cast<double>(extent);
+    return {{box.lower.x - slack, box.lower.y - slack}, {box.upper.x + slack, box.upper.y + slack}};
+}
+
+}  // namespace
 
 void World::Impl::tally(const BodyRow& b, bool comes)
 {
@@ -93,12 +103,12 @@ void World::Impl::settle()
             m.spin = 0;
             const real margin = 3 * settings.tuning.restGap * shape.convex.size;
             shape.sweptBox = sweptBounds(shape.convex, predictedPath(m, m.center, 0), m.center, 0, 0, margin);
-            resting.add(entry.shape, shape.sweptBox);
+            resting.add(entry.shape, grown(shape.sweptBox, shape.convex.extent));
             if (entry.rouses && !asleep.isEmpty()) rousing.push_back(entry.shape);
         }
         toPlace.clear();
         resting.settle();
-        for (const std::uint32_t shape : rousing) wakeNear(shape);
+        wakeAmong(rousing);
     }
 }
 

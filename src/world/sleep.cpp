@@ -142,6 +142,32 @@ void World::Impl::wakeNear(std::uint32_t slot)
     for (const std::uint32_t group : near) wakeGroup(group);
 }
 
+// The same for several shapes. Where these are many and sleepers few, the sleepers look who has come.
+void World::Impl::wakeAmong(std::vector<std::uint32_t>& comers)
+{
+    if (comers.size() <= asleep.bodies) {
+        for (const std::uint32_t shape : comers) wakeNear(shape);
+        return;
+    }
+    std::sort(comers.begin(), comers.end());
+    const ContactWorld world = contactWorld();
+    std::vector<std::uint32_t> near;
+    for (std::uint32_t i = 0; i < asleep.groups.size(); ++i) {
+        bool isMet = false;
+        for (const std::uint32_t body : asleep.groups[i].bodies) {
+            for (const std::uint32_t shape : bodies.rows[body].shapes) {
+                resting.eachOverlapping(shapes.rows[shape].sweptBox, [&](std::uint32_t other) {
+                    if (isMet || !std::binary_search(comers.begin(), comers.end(), other)) return;
+                    isMet = shapes.rows[other].body != body &&
+                            mayCollide(world, {minimum(shape, other), maximum(shape, other)});
+                });
+            }
+        }
+        if (isMet) near.push_back(i);
+    }
+    for (const std::uint32_t group : near) wakeGroup(group);
+}
+
 // Something about the body is about to change: it wakes with all that slept with it; and if nothing can push
 // it, so do those that rest on it.
 void World::Impl::disturb(std::uint32_t slot)

@@ -338,7 +338,7 @@ std::vector<ShapeId> World::queryPoint(Position point, const Filter& filter) con
 {
     if (refuse(checkFinite("point", point, "must be finite m"))) return {};
     impl_->settle();
-    return shapesAt({impl_->bodies, impl_->shapes, filter}, point);
+    return shapesAt({impl_->bodies, impl_->shapes, impl_->resting, filter}, point);
 }
 
 std::vector<ShapeId> World::queryBox(const Aabb& box, const Filter& filter) const
@@ -351,7 +351,7 @@ std::vector<ShapeId> World::queryBox(const Aabb& box, const Filter& filter) cons
             .refuse())
         return {};
     impl_->settle();
-    return shapesIn({impl_->bodies, impl_->shapes, filter}, box);
+    return shapesIn({impl_->bodies, impl_->shapes, impl_->resting, filter}, box);
 }
 
 std::optional<RayHit> World::castRay(Position from, Position to, const Filter& filter) const
@@ -366,7 +366,7 @@ std::vector<RayHit> World::castRayAll(Position from, Position to, const Filter& 
     if (Checks().finite("from", from, "must be finite m").finite("to", to, "must be finite m").refuse())
         return {};
     impl_->settle();
-    return shapesAlong({impl_->bodies, impl_->shapes, filter}, from, to);
+    return shapesAlong({impl_->bodies, impl_->shapes, impl_->resting, filter}, from, to);
 }
 
 }  // namespace tamias2d::inline TAMIAS_PRECISION

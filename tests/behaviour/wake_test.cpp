@@ -301,6 +301,17 @@ TEST(Waking, FollowsFromAGroundThatComes)
     }
 }
 
+TEST(Waking, FollowsFromAWholeWallThatComesAtOnce)
+{
+    TRACES("R8", "NFR1", "ADR25");
+    Sleepers s;
+    Body wall = s.world.createBody({.type = BodyType::Static});
+    for (int i = 0; i < 50; ++i)
+        wall.createShape({.geometry = makeBox(toReal(0.1), toReal(0.1)), .offset = vec(-0.55, 0.1 * i)});
+    EXPECT_TRUE(s.areAwake());
+    EXPECT_TRUE(s.apart.isAsleep());
+}
+
 TEST(Waking, FollowsFromALiftThatBeginsToMove)
 {
     TRACES("R8", "ADR25");
