@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The formulas of a contact's rows, for one contact (T = real) and for several at once (T = Lane): the same
 // operations in the same order, so the same bits. Derivation: docs/theory/contacts.md, section 4.
-//
-// A Body has velocity, spin, invMass and invInertia; a Point has armA, armB, normalMass, tangentMass,
-// normalImpulse and tangentImpulse; a contact (Row) has normal, crossMass, friction, surfaceSpeed and points.
 #pragma once
 
 #include "math/lane.hpp"
@@ -13,92 +10,281 @@
 
 namespace tamias2d::inline TAMIAS_PRECISION {
 
-/// Applies an impulse to B at its arm, and its opposite to A [T2].
-template <class Body, class T>
-void applyImpulse(Body& a, Body& b, BasicVec2<T> armA, BasicVec2<T> armB, BasicVec2<T> impulse)
-{
-    a.velocity -= {a.invMass.x * impulse.x, a.invMass.y * impulse.y};
-    a.spin -= a.invInertia * cross(armA, impulse);
-    b.velocity += {b.invMass.x * impulse.x, b.invMass.y * impulse.y};
-    b.spin += b.invInertia * cross(armB, impulse);
-}
-
-/// Velocity of B against A at the point.   [m/s]
-template <class Point, class Body>
-auto relativeVelocity(const Point& point, const Body& a, const Body& b)
-{
-    return (b.velocity + cross(b.spin, point.armB)) - (a.velocity + cross(a.spin, point.armA));
-}
-
-/// Two impulses that are each >= 0 and bring both residuals to >= 0 (with = 0 where the impulse is
-/// > 0): the linear complementarity problem of a two-point contact, solved exactly by its four cases.
-/// `r` are the residuals at zero impulse. False where the block is too near to singular, or
-/// where by rounding no case holds: then the points are visited singly.
+/// How a body moves.
 template <class T>
-auto solveBlock(T k1, T k2, T k12, T r1, T r2, T& x1, T& x2)
+struct BodyMotion {
+    BasicVec2<T> velocity;   ///< of the center of mass   [m/s]
+    T spin = T(real(0));     ///< [rad/s]
+};
+
+/// One point of a contact, as its Jacobian: what an impulse along the normal or the tangent does to the
+/// spins.
+template <class T>
+struct PointRow {
+    T turnA, turnB;          ///< arm x normal    [m]
+    T slideA, slideB;        ///< arm x tangent   [m]
+    T allowed;               ///< speed at which it may still close   [m/s]
+    T normalMass;            ///< inverse of the effective mass along the normal   [1/kg]
+    T normalInverse;         ///< 1/normalMass; 0 where there is no point, or nothing gives way   [kg]
+    T tangentInverse;        ///< the same along the tangent   [kg]
+    T normalImpulse, tangentImpulse;   ///< [N*s]
+};
+
+/// A contact of one or two points, ready for the passes.
+template <class T>
+struct ContactRow {
+    BasicVec2<T> normal;     ///< from A to B; the tangent is the normal turned by +90 degrees
+    BasicVec2<T> invMassA, invMassB;   ///< [1/kg]
+    T invInertiaA, invInertiaB;        ///< [1/(kg*m^2)]
+    T friction;              ///< [1]
+    T surfaceSpeed;          ///< [m/s]
+    T crossMass;             ///< off the diagonal of the two points' 2x2 block   [1/kg]
+    T blockInverse;  ///< 1/determinant of that block; 0 where it is singular or half empty   [kg^2]
+    T slipMass;  ///< slip per tangent impulse, by the centers alone   [1/kg]
+    T slipCoupling;  ///< slip per normal impulse: not 0 where an axis is locked   [1/kg]
+    PointRow<T> points[2];
+};
+
+/// Two impulses that are each >= 0 and bring both residuals to >= 0 (with = 0 where the impulse is > 0): the
+/// linear complementarity problem of a two-point contact, solved exactly by its four cases. `r` are the
+/// residuals at the impulses `x` at hand, which are replaced. `i1`, `i2` and `i12` are the inverses of the
+/// diagonal and of the determinant. Where the last is 0, or where by rounding no case holds, the points are
+/// visited one after the other. Exact where nothing needs to change: resting impulses keep their bits.
+template <class T>
+TAMIAS_INLINE void solveNormalPair(T k1, T k2, T k12, T i1, T i2, T i12, T r1, T r2, T& x1, T& x2)
 {
     const T zero(real(0));
-    const T determinant = k1 * k2 - k12 * k12;
-    const T both1 = (k12 * r2 - k2 * r1) / determinant, both2 = (k12 * r1 - k1 * r2) / determinant;
-    const T only1 = -r1 / k1, only2 = -r2 / k2;
-    const auto both = (both1 >= zero) & (both2 >= zero);
-    const auto first = (only1 >= zero) & (r2 + k12 * only1 >= zero);
-    const auto second = (only2 >= zero) & (r1 + k12 * only2 >= zero);
-    const auto none = (r1 >= zero) & (r2 >= zero);
-    x1 = select(both, both1, select(first, only1, zero));
-    x2 = select(both, both2, select(first, zero, select(second, only2, zero)));
-    return (determinant > T(real(1e-4)) * k1 * k2) & (both | first | second | none);
+    const T both1 = x1 + (k12 * r2 - k2 * r1) * i12, both2 = x2 + (k12 * r1 - k1 * r2) * i12;
+    const T step1 = (k12 * x2 - r1) * i1, step2 = (k12 * x1 - r2) * i2;
+    const T only1 = x1 + step1, only2 = x2 + step2;
+    const auto regular = i12 > zero;
+    const auto both = regular & (both1 >= zero) & (both2 >= zero);
+    const auto first = regular & (only1 >= zero) & (r2 + k12 * step1 - k2 * x2 >= zero);
+    const auto second = regular & (only2 >= zero) & (r1 + k12 * step2 - k1 * x1 >= zero);
+    const auto none = regular & (r1 - k1 * x1 - k12 * x2 >= zero) & (r2 - k12 * x1 - k2 * x2 >= zero);
+
+    const T singly1 = maximum(x1 - r1 * i1, zero);
+    const T singly2 = maximum(x2 - (r2 + k12 * (singly1 - x1)) * i2, zero);
+    x1 = select(both, both1, select(first, only1, select(second | none, zero, singly1)));
+    x2 = select(both, both2, select(first, zero, select(second, only2, select(none, zero, singly2))));
 }
 
-/// Both normals at once. `allowed` is the speed at which each may still close [m/s]. Returns the greatest
-/// change of normal speed it made; nothing is changed where `solved` comes back false.
-template <class Row, class Body, class T, class Mask>
-T solveNormalsAsBlock(Row& row, Body& a, Body& b, T allowed1, T allowed2, Mask& solved)
+/// What the masses and the normal of a row make of an impulse at the centers.
+template <class T>
+TAMIAS_INLINE T prepareCenters(ContactRow<T>& row)
 {
-    auto &p = row.points[0], &q = row.points[1];
-    const BasicVec2<T> n = row.normal;
-    const T k12 = row.crossMass;
-    const T r1 =
-        dot(n, relativeVelocity(p, a, b)) + allowed1 - p.normalMass * p.normalImpulse - k12 * q.normalImpulse;
-    const T r2 =
-        dot(n, relativeVelocity(q, a, b)) + allowed2 - k12 * p.normalImpulse - q.normalMass * q.normalImpulse;
-    T x1, x2;
-    solved = solveBlock(p.normalMass, q.normalMass, k12, r1, r2, x1, x2);
-    x1 = select(solved, x1, p.normalImpulse);
-    x2 = select(solved, x2, q.normalImpulse);
-
-    const T d1 = x1 - p.normalImpulse, d2 = x2 - q.normalImpulse;
-    applyImpulse(a, b, p.armA, p.armB, d1 * n);
-    applyImpulse(a, b, q.armA, q.armB, d2 * n);
-    p.normalImpulse = x1;
-    q.normalImpulse = x2;
-    return maximum(absolute(p.normalMass * d1 + k12 * d2), absolute(k12 * d1 + q.normalMass * d2));
+    const BasicVec2<T> n = row.normal, t = perpendicular(n);
+    const BasicVec2<T> sum = row.invMassA + row.invMassB;
+    row.slipMass = sum.x * t.x * t.x + sum.y * t.y * t.y;
+    row.slipCoupling = sum.x * n.x * t.x + sum.y * n.y * t.y;
+    return sum.x * n.x * n.x + sum.y * n.y * n.y;
 }
 
-/// One normal. Contacts push and never pull: it is the running total that stays non-negative.
-template <class Row, class Point, class Body, class T>
-T solveNormal(const Row& row, Point& point, Body& a, Body& b, T allowed)
+/// The Jacobian and the masses of one point. `linear` is what prepareCenters gave; `gap` is beyond the rest
+/// gap [m]; `mask` says where there is a point at all. Where nothing gives way no load shows.
+template <class T, class Mask>
+TAMIAS_INLINE void preparePoint(ContactRow<T>& row, PointRow<T>& p, T linear, BasicVec2<T> armA,
+                                BasicVec2<T> armB, T gap, T invH, Mask present)
 {
-    const BasicVec2<T> n = row.normal;
-    const T normalSpeed = dot(n, relativeVelocity(point, a, b));
-    const T wanted = point.normalImpulse - (normalSpeed + allowed) / point.normalMass;
-    const T total = maximum(wanted, T(real(0)));
-    const T change = total - point.normalImpulse;
-    applyImpulse(a, b, point.armA, point.armB, change * n);
-    point.normalImpulse = total;
-    return absolute(change * point.normalMass);
+    const T zero(real(0)), one(real(1));
+    const BasicVec2<T> n = row.normal, t = perpendicular(n);
+    p.turnA = cross(armA, n);
+    p.turnB = cross(armB, n);
+    p.slideA = cross(armA, t);
+    p.slideB = cross(armB, t);
+    p.allowed = select(gap > zero, gap * invH, zero);
+    const T k = linear + row.invInertiaA * p.turnA * p.turnA + row.invInertiaB * p.turnB * p.turnB;
+    const T kt = row.slipMass + row.invInertiaA * p.slideA * p.slideA + row.invInertiaB * p.slideB * p.slideB;
+    const auto pushes = present & (k > zero), rubs = present & (kt > zero);
+    p.normalMass = k;
+    p.normalInverse = select(pushes, one / k, zero);
+    p.tangentInverse = select(rubs, one / kt, zero);
+    p.normalImpulse = select(pushes, p.normalImpulse, zero);
+    p.tangentImpulse = select(rubs, p.tangentImpulse, zero);
 }
 
-/// Coulomb's friction at one point, on the slip that the normal impulses left.
-template <class Row, class Point, class Body>
-void solveFriction(const Row& row, Point& point, Body& a, Body& b)
+/// The 2x2 block of both points.
+template <class T>
+TAMIAS_INLINE void prepareBlock(ContactRow<T>& row, T linear)
 {
-    const auto t = perpendicular(row.normal);
-    const auto slip = dot(t, relativeVelocity(point, a, b)) + row.surfaceSpeed;
-    const auto limit = row.friction * point.normalImpulse;
-    const auto total = clamp(point.tangentImpulse - slip / point.tangentMass, -limit, limit);
-    applyImpulse(a, b, point.armA, point.armB, (total - point.tangentImpulse) * t);
-    point.tangentImpulse = total;
+    const T zero(real(0));
+    const PointRow<T>&p = row.points[0], &q = row.points[1];
+    row.crossMass = linear + row.invInertiaA * p.turnA * q.turnA + row.invInertiaB * p.turnB * q.turnB;
+    const auto whole = (p.normalInverse > zero) & (q.normalInverse > zero);
+    row.crossMass = select(whole, row.crossMass, zero);
+    const T determinant = p.normalMass * q.normalMass - row.crossMass * row.crossMass;
+    const auto regular = whole & (determinant > T(real(1e-4)) * p.normalMass * q.normalMass);
+    row.blockInverse = select(regular, T(real(1)) / determinant, zero);
+}
+
+/// Adds an impulse of `normal` along the normal and `tangent` along the tangent at the centers.
+template <class T>
+TAMIAS_INLINE void applyAtCenters(const ContactRow<T>& row, T normal, T tangent, BasicVec2<T>& a,
+                                  BasicVec2<T>& b)
+{
+    const BasicVec2<T> impulse = normal * row.normal + tangent * perpendicular(row.normal);
+    a -= {row.invMassA.x * impulse.x, row.invMassA.y * impulse.y};
+    b += {row.invMassB.x * impulse.x, row.invMassB.y * impulse.y};
+}
+
+/// Adds the velocity changes of the impulses the row carries.
+template <class T>
+TAMIAS_INLINE void addCarried(const ContactRow<T>& row, int count, BodyMotion<T>& a, BodyMotion<T>& b)
+{
+    const PointRow<T>& p = row.points[0];
+    T normal = p.normalImpulse, tangent = p.tangentImpulse;
+    T turnA = p.turnA * p.normalImpulse + p.slideA * p.tangentImpulse;
+    T turnB = p.turnB * p.normalImpulse + p.slideB * p.tangentImpulse;
+    if (count == 2) {
+        const PointRow<T>& q = row.points[1];
+        normal += q.normalImpulse;
+        tangent += q.tangentImpulse;
+        turnA += q.turnA * q.normalImpulse + q.slideA * q.tangentImpulse;
+        turnB += q.turnB * q.normalImpulse + q.slideB * q.tangentImpulse;
+    }
+    applyAtCenters(row, normal, tangent, a.velocity, b.velocity);
+    a.spin -= row.invInertiaA * turnA;
+    b.spin += row.invInertiaB * turnB;
+}
+
+/// How fast a point closes less than it may: negative where it closes too fast.   [m/s]
+template <class T>
+TAMIAS_INLINE T normalResidual(const PointRow<T>& p, T closing, const BodyMotion<T>& a,
+                               const BodyMotion<T>& b)
+{
+    return closing + p.turnB * b.spin - p.turnA * a.spin + p.allowed;
+}
+
+/// Changes of the normal impulses of one pass, and how much they change the normal speeds at most.
+template <class T>
+struct NormalChange {
+    T first, second;  ///< [N*s]
+    T speed;  ///< [m/s]
+};
+
+/// The normals of one or two points: both as a block. Spins follow at once, the centers with the friction.
+template <class T>
+TAMIAS_INLINE NormalChange<T> solveNormals(ContactRow<T>& row, int count, BodyMotion<T>& a, BodyMotion<T>& b)
+{
+    const T zero(real(0));
+    const T closing = dot(row.normal, b.velocity - a.velocity);
+    PointRow<T>& p = row.points[0];
+    const T r1 = normalResidual(p, closing, a, b);
+    if (count == 1) {
+        const T total = maximum(p.normalImpulse - r1 * p.normalInverse, zero);
+        const T change = total - p.normalImpulse;
+        p.normalImpulse = total;
+        a.spin -= row.invInertiaA * (p.turnA * change);
+        b.spin += row.invInertiaB * (p.turnB * change);
+        return {change, zero, absolute(p.normalMass * change)};
+    }
+    PointRow<T>& q = row.points[1];
+    const T r2 = normalResidual(q, closing, a, b);
+    const T old1 = p.normalImpulse, old2 = q.normalImpulse;
+    solveNormalPair(p.normalMass, q.normalMass, row.crossMass, p.normalInverse, q.normalInverse,
+                    row.blockInverse, r1, r2, p.normalImpulse, q.normalImpulse);
+    const T d1 = p.normalImpulse - old1, d2 = q.normalImpulse - old2;
+    a.spin -= row.invInertiaA * (p.turnA * d1 + q.turnA * d2);
+    b.spin += row.invInertiaB * (p.turnB * d1 + q.turnB * d2);
+    return {d1, d2,
+            maximum(absolute(p.normalMass * d1 + row.crossMass * d2),
+                    absolute(row.crossMass * d1 + q.normalMass * d2))};
+}
+
+/// Coulomb's friction at one point, on the slip [m/s] of the centers that the normal impulses left.
+template <class T>
+TAMIAS_INLINE T solveFriction(const ContactRow<T>& row, PointRow<T>& p, T slip, BodyMotion<T>& a,
+                              BodyMotion<T>& b)
+{
+    const T limit = row.friction * p.normalImpulse;
+    const T here = slip + p.slideB * b.spin - p.slideA * a.spin;
+    const T total = clamp(p.tangentImpulse - here * p.tangentInverse, -limit, limit);
+    const T change = total - p.tangentImpulse;
+    p.tangentImpulse = total;
+    a.spin -= row.invInertiaA * (p.slideA * change);
+    b.spin += row.invInertiaB * (p.slideB * change);
+    return change;
+}
+
+/// Friction of all points after the normals changed by `change`; then the centers get both.
+template <class T>
+TAMIAS_INLINE void solveFrictions(ContactRow<T>& row, int count, NormalChange<T> change, BodyMotion<T>& a,
+                                  BodyMotion<T>& b)
+{
+    T normal = change.first;
+    if (count == 2) normal += change.second;
+    T slip = dot(perpendicular(row.normal), b.velocity - a.velocity) + row.surfaceSpeed +
+             row.slipCoupling * normal;
+    T tangent = solveFriction(row, row.points[0], slip, a, b);
+    if (count == 2) {
+        slip += row.slipMass * tangent;
+        tangent += solveFriction(row, row.points[1], slip, a, b);
+    }
+    applyAtCenters(row, normal, tangent, a.velocity, b.velocity);
+}
+
+/// One pass: normals, then friction. Returns the greatest change of normal speed it made.   [m/s]
+template <class T>
+TAMIAS_INLINE T solveRow(ContactRow<T>& row, int count, BodyMotion<T>& a, BodyMotion<T>& b)
+{
+    const NormalChange<T> change = solveNormals(row, count, a, b);
+    solveFrictions(row, count, change, a, b);
+    return change.speed;
+}
+
+/// What pushing asks of a point that is `off` beyond the slack it leaves to the rest gap: to undo a part of
+/// an overlap, no faster than `most`, and to use up no more than what is free.   [m/s]
+template <class T>
+TAMIAS_INLINE T pushBias(T off, T invH, T rate, T most)
+{
+    return select(off > T(real(0)), off * invH, maximum(rate * off * invH, -most));
+}
+
+/// One pass of displacements that undo overlaps: velocities over one tick that move bodies and no more.
+/// `bias` is the speed asked for at each point [m/s]. Returns the sum of the impulses [N*s].
+template <class T>
+TAMIAS_INLINE T pushRow(const ContactRow<T>& row, int count, T bias1, T bias2, BodyMotion<T>& a,
+                        BodyMotion<T>& b)
+{
+    const T zero(real(0));
+    const T closing = dot(row.normal, b.velocity - a.velocity);
+    const PointRow<T>&p = row.points[0], &q = row.points[1];
+    T x1 = zero, x2 = zero;
+    const T r1 = closing + p.turnB * b.spin - p.turnA * a.spin + bias1;
+    if (count == 1) {
+        x1 = maximum(x1 - r1 * p.normalInverse, zero);
+        a.spin -= row.invInertiaA * (p.turnA * x1);
+        b.spin += row.invInertiaB * (p.turnB * x1);
+    } else {
+        const T r2 = closing + q.turnB * b.spin - q.turnA * a.spin + bias2;
+        solveNormalPair(p.normalMass, q.normalMass, row.crossMass, p.normalInverse, q.normalInverse,
+                        row.blockInverse, r1, r2, x1, x2);
+        a.spin -= row.invInertiaA * (p.turnA * x1 + q.turnA * x2);
+        b.spin += row.invInertiaB * (p.turnB * x1 + q.turnB * x2);
+    }
+    const T sum = count == 1 ? x1 : x1 + x2;
+    applyAtCenters(row, sum, zero, a.velocity, b.velocity);
+    return sum;
+}
+
+/// Takes back the angular momentum that a push over a time `h` gave two bodies that slide along each other,
+/// by opposite impulses at their centers, `d` apart: farther apart, they pass more slowly [GD1]. Only where
+/// they press on each other: two that meet in flight keep their energy to the last digit instead. Returns the
+/// impulse on B [N*s].
+template <class T>
+TAMIAS_INLINE BasicVec2<T> repayPush(const ContactRow<T>& row, T pushed, T load, BasicVec2<T> d, T h,
+                                     BasicVec2<T>& velocityA, BasicVec2<T>& velocityB)
+{
+    const T zero(real(0));
+    const auto isFree = [zero](BasicVec2<T> m) { return (m.x > zero) & (m.x >= m.y) & (m.y >= m.x); };
+    const T squared = dot(d, d);
+    const auto owes =
+        isFree(row.invMassA) & isFree(row.invMassB) & (pushed > zero) & (load > zero) & (squared > zero);
+    const T gained = h * pushed * cross(row.normal, velocityB - velocityA);
+    const BasicVec2<T> impulse = select(owes, -gained / squared, zero) * perpendicular(d);
+    velocityA -= {row.invMassA.x * impulse.x, row.invMassA.y * impulse.y};
+    velocityB += {row.invMassB.x * impulse.x, row.invMassB.y * impulse.y};
+    return impulse;
 }
 
 }  // namespace tamias2d::inline TAMIAS_PRECISION

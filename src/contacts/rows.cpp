@@ -52,10 +52,6 @@ void prepareContact(Contact& contact, const Motion& a, const Motion& b)
         point.normalMass = compliance(a, placed.armA, n) + compliance(b, placed.armB, n);
         point.tangentMass = compliance(a, placed.armA, t) + compliance(b, placed.armB, t);
     }
-    if (contact.count == 2) {
-        const ContactPointRow &p = contact.points[0], &q = contact.points[1];
-        contact.crossMass = crossCompliance(a, b, n, p.armA, p.armB, q.armA, q.armB);
-    }
 }
 
 real allowedApproach(const ContactPointRow& point, const StepContext& context)
@@ -72,6 +68,12 @@ real impactThreshold(const Contact& contact, const Motion& a, const Motion& b, c
 }
 
 namespace {
+
+// Velocity of B against A at the point.   [m/s]
+Vec2 relativeVelocity(const ContactPointRow& point, const Motion& a, const Motion& b)
+{
+    return (b.velocity + cross(b.spin, point.armB)) - (a.velocity + cross(a.spin, point.armA));
+}
 
 // An approach that only the next impact pass may stop: it is elastic, unloaded and fast. Not so once
 // the point is squeezed: left to impacts for ever it would sink.
@@ -101,24 +103,20 @@ bool isSettledByImpact(const Contact& contact, const Motion& a, const Motion& b,
 }
 
 // A point alone, unless its approach is left to impacts.
-real visitNormal(Contact& contact, ContactPointRow& point, Motion& a, Motion& b, real threshold,
-                 const StepContext& context)
+real visitNormal(const Contact& contact, int k, ContactRow<real>& row, BodyMotion<real>& a,
+                 BodyMotion<real>& b, real threshold, const StepContext& context)
 {
-    if (!(point.normalMass > 0)) {  // both bodies locked against it: no load shows
-        point.normalImpulse = 0;
-        return 0;
-    }
-    const real normalSpeed = dot(contact.normal, relativeVelocity(point, a, b));
-    if (isLeftToImpacts(contact, point, normalSpeed, threshold, context)) return 0;
-    return solveNormal(contact, point, a, b, allowedApproach(point, context));
-}
-
-void visitFriction(const Contact& contact, ContactPointRow& point, Motion& a, Motion& b)
-{
-    if (point.tangentMass > 0)
-        solveFriction(contact, point, a, b);
-    else
-        point.tangentImpulse = 0;
+    PointRow<real>& p = row.points[k];
+    const real closing = dot(row.normal, b.velocity - a.velocity);
+    const real residual = normalResidual(p, closing, a, b);
+    if (isLeftToImpacts(contact, contact.points[k], residual - p.allowed, threshold, context)) return 0;
+    const real total = maximum(p.normalImpulse - residual * p.normalInverse, real(0));
+    const real change = total - p.normalImpulse;
+    p.normalImpulse = total;
+    applyAtCenters(row, change, real(0), a.velocity, b.velocity);
+    a.spin -= row.invInertiaA * (p.turnA * change);
+    b.spin += row.invInertiaB * (p.turnB * change);
+    return absolute(p.normalMass * change);
 }
 
 void solveRolling(Contact& contact, Motion& a, Motion& b)
@@ -141,132 +139,121 @@ void solveRolling(Contact& contact, Motion& a, Motion& b)
 
 }  // namespace
 
+ContactRow<real> rowOf(const Contact& contact, const Motion& a, const Motion& b, const StepContext& context)
+{
+    ContactRow<real> row{};
+    row.normal = contact.normal;
+    row.invMassA = a.invMass;
+    row.invMassB = b.invMass;
+    row.invInertiaA = a.invInertia;
+    row.invInertiaB = b.invInertia;
+    row.friction = contact.friction;
+    row.surfaceSpeed = contact.surfaceSpeed;
+    const real linear = prepareCenters(row);
+    for (int k = 0; k < contact.count; ++k) {
+        const ContactPointRow& point = contact.points[k];
+        row.points[k].normalImpulse = point.normalImpulse;
+        row.points[k].tangentImpulse = point.tangentImpulse;
+        preparePoint(row, row.points[k], linear, point.armA, point.armB, point.gap, context.invH, true);
+    }
+    if (contact.count == 2) prepareBlock(row, linear);
+    return row;
+}
+
 real solveContact(Contact& contact, Motion& a, Motion& b, const StepContext& context)
 {
     if (contact.count == 0) return 0;
     if (isSettledByImpact(contact, a, b, context)) return 0;
-    const bool resting =
-        contact.restitution <= 0 || (contact.points[0].wasLoaded && contact.points[1].wasLoaded);
+    bool resting = true;
+    for (int i = 0; i < contact.count; ++i)
+        resting = resting && (contact.restitution <= 0 || contact.points[i].wasLoaded);
 
+    ContactRow<real> row = rowOf(contact, a, b, context);
+    BodyMotion<real> motionA{a.velocity, a.spin}, motionB{b.velocity, b.spin};
     real change = 0;
-    bool solved = false;
-    if (contact.count == 2 && resting) {
-        const real allowed[2] = {allowedApproach(contact.points[0], context),
-                                 allowedApproach(contact.points[1], context)};
-        change = solveNormalsAsBlock(contact, a, b, allowed[0], allowed[1], solved);
-    }
-    if (!solved) {
+    if (resting) {
+        change = solveRow(row, contact.count, motionA, motionB);
+    } else {
         const real threshold = impactThreshold(contact, a, b, context);
-        for (int i = 0; i < contact.count; ++i)
-            change = maximum(change, visitNormal(contact, contact.points[i], a, b, threshold, context));
+        for (int k = 0; k < contact.count; ++k)
+            change = maximum(change, visitNormal(contact, k, row, motionA, motionB, threshold, context));
+        solveFrictions(row, contact.count, {}, motionA, motionB);
     }
-    for (int i = 0; i < contact.count; ++i) visitFriction(contact, contact.points[i], a, b);
+    for (int k = 0; k < contact.count; ++k) {
+        contact.points[k].normalImpulse = row.points[k].normalImpulse;
+        contact.points[k].tangentImpulse = row.points[k].tangentImpulse;
+    }
+    a.velocity = motionA.velocity, a.spin = motionA.spin;
+    b.velocity = motionB.velocity, b.spin = motionB.spin;
     solveRolling(contact, a, b);
     return change;
 }
 
-void addSteady(const Contact& contact, Motion& a, Motion& b)
+void addSteady(const Contact& contact, const Motion& a, const Motion& b, BodyMotion<real>& steadyA,
+               BodyMotion<real>& steadyB)
 {
     const Vec2 n = contact.normal, t = perpendicular(n);
     for (int i = 0; i < contact.count; ++i) {
         const ContactPointRow& point = contact.points[i];
         const Vec2 impulse = point.normalImpulse * n + point.tangentImpulse * t;
-        a.steady -= {a.invMass.x * impulse.x, a.invMass.y * impulse.y};
-        a.steadySpin -= a.invInertia * cross(point.armA, impulse);
-        b.steady += {b.invMass.x * impulse.x, b.invMass.y * impulse.y};
-        b.steadySpin += b.invInertia * cross(point.armB, impulse);
+        steadyA.velocity -= {a.invMass.x * impulse.x, a.invMass.y * impulse.y};
+        steadyA.spin -= a.invInertia * cross(point.armA, impulse);
+        steadyB.velocity += {b.invMass.x * impulse.x, b.invMass.y * impulse.y};
+        steadyB.spin += b.invInertia * cross(point.armB, impulse);
     }
-    a.steadySpin -= a.invInertia * contact.rollingImpulse;
-    b.steadySpin += b.invInertia * contact.rollingImpulse;
+    steadyA.spin -= a.invInertia * contact.rollingImpulse;
+    steadyB.spin += b.invInertia * contact.rollingImpulse;
 }
 
 void limitSteady(Motion& m, const StepContext& context)
 {
-    const auto limited = [&](real change, double mostSpeed) {
-        if (std::isnan(change)) return real(0);  // of two infinite loads against each other
-        const real most = static_cast<real>(2 * mostSpeed / context.ticks);
-        return clamp(change, -most, most);
+    const auto isLimited = [](real change, real most) { return change >= -most && change <= most; };
+    const real most = context.mostSteady, mostSpin = context.mostSteadySpin;
+    if (isLimited(m.steady.x, most) && isLimited(m.steady.y, most) && isLimited(m.steadySpin, mostSpin))
+        return;
+    const auto limited = [](real change, real bound) {
+        return std::isnan(change) ? real(0)
+                                  : clamp(change, -bound, bound);  // of two infinite loads: no number
     };
-    const double mostSpeed = kMaxSpeed * static_cast<double>(context.lengthUnit);
-    m.steady = {limited(m.steady.x, mostSpeed), limited(m.steady.y, mostSpeed)};
-    m.steadySpin = limited(m.steadySpin, kMaxSpin);
+    m.steady = {limited(m.steady.x, most), limited(m.steady.y, most)};
+    m.steadySpin = limited(m.steadySpin, mostSpin);
 }
 
 namespace {
 
-void applyPush(const Motion& m, Push& push, Vec2 arm, Vec2 impulse, real sign)
+// It aims short of the rest gap, by pushSlack of it, so that a corner at rest does not flicker between pushed
+// and not.
+real pushBiasOf(real gap, real restGap, const StepContext& context, ClampCounts& clamps)
 {
-    push.shift += sign * Vec2{m.invMass.x * impulse.x, m.invMass.y * impulse.y};
-    push.turn += sign * m.invInertia * cross(arm, impulse);
-}
-
-// Speed asked of the push at a point, as its bias. It aims short of the rest gap, by pushSlack of it, so
-// that a corner at rest does not flicker between pushed and not.
-real pushBias(const Contact& contact, const ContactPointRow& point, const StepContext& context,
-              ClampCounts& clamps)
-{
-    const real gap = point.gap + context.tuning.pushSlack * contact.restGap;
-    if (gap > 0) return gap * context.invH;
-    const real wanted = context.tuning.pushRate * gap * context.invH;
-    const real most = context.pushSpeed() * static_cast<real>(context.ticks);
-    if (wanted >= -most) return wanted;
-    ++clamps.push;
-    return -most;
+    const real off = gap + context.tuning.pushSlack * restGap, most = context.mostPush();
+    if (off <= 0 && context.tuning.pushRate * off * context.invH < -most) ++clamps.push;
+    return pushBias(off, context.invH, context.tuning.pushRate, most);
 }
 
 }  // namespace
 
-void pushContact(Contact& contact, const Motion& a, const Motion& b, Push& pushA, Push& pushB,
-                 const StepContext& context, ClampCounts& clamps)
+void pushContact(Contact& contact, const Motion& a, const Motion& b, BodyMotion<real>& pushA,
+                 BodyMotion<real>& pushB, const StepContext& context, ClampCounts& clamps)
 {
-    const Vec2 n = contact.normal;
+    contact.pushed = 0;
+    if (contact.count == 0) return;
     real bias[2] = {};
     for (int i = 0; i < contact.count; ++i)
-        if (contact.points[i].normalMass > 0) bias[i] = pushBias(contact, contact.points[i], context, clamps);
-    const auto residual = [&](int i) {
-        const ContactPointRow& p = contact.points[i];
-        const Vec2 v = pushB.shift + cross(pushB.turn, p.armB) - pushA.shift - cross(pushA.turn, p.armA);
-        return dot(n, v) + bias[i];
-    };
-    const auto add = [&](ContactPointRow& p, real total) {
-        const Vec2 impulse = (total - p.pushImpulse) * n;
-        applyPush(a, pushA, p.armA, impulse, -1);
-        applyPush(b, pushB, p.armB, impulse, 1);
-        p.pushImpulse = total;
-    };
-
-    if (contact.count == 2) {
-        ContactPointRow &p = contact.points[0], &q = contact.points[1];
-        const real k12 = contact.crossMass;
-        const real r1 = residual(0) - p.normalMass * p.pushImpulse - k12 * q.pushImpulse;
-        const real r2 = residual(1) - k12 * p.pushImpulse - q.normalMass * q.pushImpulse;
-        real x1, x2;
-        if (solveBlock(p.normalMass, q.normalMass, k12, r1, r2, x1, x2)) {
-            add(p, x1);
-            add(q, x2);
-            return;
-        }
-    }
-    for (int i = 0; i < contact.count; ++i) {
-        ContactPointRow& p = contact.points[i];
-        if (p.normalMass > 0) add(p, maximum(real(0), p.pushImpulse - residual(i) / p.normalMass));
-    }
+        if (contact.points[i].normalMass > 0)
+            bias[i] = pushBiasOf(contact.points[i].gap, contact.restGap, context, clamps);
+    const ContactRow<real> row = rowOf(contact, a, b, context);
+    contact.pushed = pushRow(row, contact.count, bias[0], bias[1], pushA, pushB);
 }
 
-void repayPush(Contact& contact, Motion& a, Motion& b, real h)
+void repayPush(Contact& contact, const Motion& a, const Motion& b, Vec2& velocityA, Vec2& velocityB,
+               const StepContext& context)
 {
-    real pushed = 0, load = 0;
-    for (int i = 0; i < contact.count; ++i) {
-        pushed += contact.points[i].pushImpulse;
-        load += contact.points[i].normalImpulse;
-    }
-    const Vec2 d = toVec2(b.center - a.center);
-    const real squared = dot(d, d);
-    if (!(pushed > 0) || !(load > 0) || !a.isFree() || !b.isFree() || !(squared > 0)) return;
-    const real gained = h * pushed * cross(contact.normal, b.velocity - a.velocity);
-    const Vec2 impulse = -gained / squared * perpendicular(d);
-    applyImpulse(a, b, {}, {}, impulse);
-    contact.stepImpulse += impulse;
+    if (!(contact.pushed > 0)) return;
+    real load = 0;
+    for (int i = 0; i < contact.count; ++i) load += contact.points[i].normalImpulse;
+    const ContactRow<real> row = rowOf(contact, a, b, context);
+    contact.stepImpulse +=
+        repayPush(row, contact.pushed, load, toVec2(b.center - a.center), context.h, velocityA, velocityB);
 }
 
 }  // namespace tamias2d::inline TAMIAS_PRECISION

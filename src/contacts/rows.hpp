@@ -43,23 +43,21 @@ real impactThreshold(const Contact& contact, const Motion& a, const Motion& b, c
 /// resistance. Returns the greatest change of normal speed it made.   [m/s]
 real solveContact(Contact& contact, Motion& a, Motion& b, const StepContext& context);
 
-/// Displacements that undo overlaps: they move bodies and leave velocities alone.
-struct Push {
-    Vec2 shift;        // as a velocity over one tick   [m/s]
-    real turn = 0;     // [rad/s]
-};
+/// The contact as the passes take it, from what prepareContact left.
+ContactRow<real> rowOf(const Contact& contact, const Motion& a, const Motion& b, const StepContext& context);
 
-/// One pass of pushing over a contact.
-void pushContact(Contact& contact, const Motion& a, const Motion& b, Push& pushA, Push& pushB,
-                 const StepContext& context, ClampCounts& clamps);
+/// One pass of pushing over a contact: displacements that undo overlaps, as velocities over one tick. They
+/// move bodies and leave velocities alone.
+void pushContact(Contact& contact, const Motion& a, const Motion& b, BodyMotion<real>& pushA,
+                 BodyMotion<real>& pushB, const StepContext& context, ClampCounts& clamps);
 
-/// Takes back the angular momentum that a push over a time `h` gave two bodies that slide along each
-/// other, by opposite impulses at their centers: farther apart, they pass more slowly [GD1]. Only where
-/// they press on each other: two that meet in flight keep their energy to the last digit instead.
-void repayPush(Contact& contact, Motion& a, Motion& b, real h);
+/// Takes back the angular momentum that the push gave two bodies that slide along each other [GD1].
+void repayPush(Contact& contact, const Motion& a, const Motion& b, Vec2& velocityA, Vec2& velocityB,
+               const StepContext& context);
 
 /// Adds the velocity changes of the impulses the contact carries.
-void addSteady(const Contact& contact, Motion& a, Motion& b);
+void addSteady(const Contact& contact, const Motion& a, const Motion& b, BodyMotion<real>& steadyA,
+               BodyMotion<real>& steadyB);
 
 /// Holds the sum of them to what forces may do in a tick. Loads of a heavy body would throw it out of the
 /// world, and infinities into its neighbors, when its mass has just been set to a tiny one.

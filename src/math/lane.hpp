@@ -7,6 +7,10 @@
 #include <cstdint>
 #include <type_traits>
 
+/// For kernels: what is inline in them leaves no function behind that could be called from code for another
+/// instruction set, and keeps lanes in registers.
+#define TAMIAS_INLINE [[gnu::always_inline]] inline
+
 namespace tamias2d::inline TAMIAS_PRECISION {
 
 // The compiler's vectors, by their bytes: g++ 12 forgets a vector_size that depends on a template's
@@ -17,10 +21,18 @@ template <class T>
 struct VectorOf<T, 16> {
     typedef T Type __attribute__((vector_size(16)));
 };
+template <class T>
+struct VectorOf<T, 32> {
+    typedef T Type __attribute__((vector_size(32)));
+};
+template <class T>
+struct VectorOf<T, 64> {
+    typedef T Type __attribute__((vector_size(64)));
+};
 
 /// W truths, one a lane.
 template <int W>
-struct LaneMask {
+struct alignas(W * sizeof(real)) LaneMask {
     using Integer = std::conditional_t<sizeof(real) == 4, std::int32_t, std::int64_t>;
     using Vector = typename VectorOf<Integer, W* int{sizeof(real)}>::Type;
     Vector v;  // 0 or -1 each
@@ -33,7 +45,7 @@ struct LaneMask {
 /// W reals that are reckoned with at once, on the vector extensions of the compiler. Each lane has the bits
 /// that `real` would have: no operation here rounds in another way [ADR6].
 template <int W>
-struct Lane {
+struct alignas(W * sizeof(real)) Lane {
     using Vector = typename VectorOf<real, W* int{sizeof(real)}>::Type;
     Vector v;
 
@@ -55,11 +67,45 @@ struct Lane {
     friend LaneMask<W> operator>=(Lane a, Lane b) { return {a.v >= b.v}; }
 };
 
+/// One lane is one number: g++ 12 loses stores of vectors of one element.
+template <>
+struct LaneMask<1> {
+    using Integer = std::int32_t;
+    Integer v[1];
+
+    friend LaneMask operator&(LaneMask a, LaneMask b) { return {{a.v[0] & b.v[0]}}; }
+    friend LaneMask operator|(LaneMask a, LaneMask b) { return {{a.v[0] | b.v[0]}}; }
+    friend LaneMask operator!(LaneMask a) { return {{~a.v[0]}}; }
+};
+template <>
+struct Lane<1> {
+    real v[1];
+
+    Lane() : v{0} {}
+    Lane(real all) : v{all} {}
+
+    friend Lane operator+(Lane a, Lane b) { return {a.v[0] + b.v[0]}; }
+    friend Lane operator-(Lane a, Lane b) { return {a.v[0] - b.v[0]}; }
+    friend Lane operator*(Lane a, Lane b) { return {a.v[0] * b.v[0]}; }
+    friend Lane operator/(Lane a, Lane b) { return {a.v[0] / b.v[0]}; }
+    friend Lane operator-(Lane a) { return {-a.v[0]}; }
+    Lane& operator+=(Lane b) { return v[0] += b.v[0], *this; }
+    Lane& operator-=(Lane b) { return v[0] -= b.v[0], *this; }
+    Lane& operator*=(Lane b) { return v[0] *= b.v[0], *this; }
+
+    friend LaneMask<1> operator<(Lane a, Lane b) { return {{a.v[0] < b.v[0] ? -1 : 0}}; }
+    friend LaneMask<1> operator>(Lane a, Lane b) { return {{a.v[0] > b.v[0] ? -1 : 0}}; }
+    friend LaneMask<1> operator>=(Lane a, Lane b) { return {{a.v[0] >= b.v[0] ? -1 : 0}}; }
+};
+
 /// `a` where the condition holds, else `b`.
 template <int W>
 Lane<W> select(LaneMask<W> condition, Lane<W> a, Lane<W> b)
 {
-    return Lane<W>(condition.v ? a.v : b.v);
+    if constexpr (W == 1)
+        return condition.v[0] != 0 ? a : b;
+    else
+        return Lane<W>(condition.v ? a.v : b.v);
 }
 inline real select(bool condition, real a, real b)
 {
@@ -75,6 +121,22 @@ bool any(LaneMask<W> mask)
 }
 inline bool any(bool mask)
 {
+    return mask;
+}
+
+/// The truths as bits, lane 0 lowest.
+template <int W>
+std::uint32_t bitsOf(LaneMask<W> mask)
+{
+    std::uint32_t bits = 0;
+    for (int i = 0; i < W; ++i) bits |= (mask.v[i] != 0 ? 1u : 0u) << i;
+    return bits;
+}
+template <int W>
+LaneMask<W> maskOf(std::uint32_t bits)
+{
+    LaneMask<W> mask{};
+    for (int i = 0; i < W; ++i) mask.v[i] = (bits >> i & 1u) != 0 ? -1 : 0;
     return mask;
 }
 
@@ -170,63 +232,9 @@ void loadColumns(const real* const (&rows)[W], Lane<W>* columns)
     }
 }
 
-/// Four reals that are read and written together: three of a body and one that means nothing.
-struct alignas(16) LaneRow {
-    real x, y, z, unused;
+/// Four reals that are read and written together, as those of a body are.
+struct alignas(4 * sizeof(real)) LaneRow {
+    real x, y, z, w;
 };
-
-// The first or the second 16 bytes of a row.
-inline Lane<kLanes>::Vector loadPart(const LaneRow& row, int part)
-{
-    const auto* bytes = reinterpret_cast<const unsigned char*>(&row);
-    Lane<kLanes>::Vector vector;
-    __builtin_memcpy(&vector, part == 0 ? bytes : bytes + sizeof vector, sizeof vector);
-    return vector;
-}
-
-/// The rows as lanes: their x, their y and their z.
-template <int W>
-void gatherRows(const LaneRow* const (&rows)[W], Lane<W>& x, Lane<W>& y, Lane<W>& z)
-{
-    if constexpr (W == 4) {
-        const auto r0 = loadPart(*rows[0], 0), r1 = loadPart(*rows[1], 0);
-        const auto r2 = loadPart(*rows[2], 0), r3 = loadPart(*rows[3], 0);
-        const auto xy01 = __builtin_shufflevector(r0, r1, 0, 4, 1, 5);
-        const auto zu01 = __builtin_shufflevector(r0, r1, 2, 6, 3, 7);
-        const auto xy23 = __builtin_shufflevector(r2, r3, 0, 4, 1, 5);
-        const auto zu23 = __builtin_shufflevector(r2, r3, 2, 6, 3, 7);
-        x.v = __builtin_shufflevector(xy01, xy23, 0, 1, 4, 5);
-        y.v = __builtin_shufflevector(xy01, xy23, 2, 3, 6, 7);
-        z.v = __builtin_shufflevector(zu01, zu23, 0, 1, 4, 5);
-    } else {
-        const auto xy0 = loadPart(*rows[0], 0), xy1 = loadPart(*rows[1], 0);
-        x.v = __builtin_shufflevector(xy0, xy1, 0, 2);
-        y.v = __builtin_shufflevector(xy0, xy1, 1, 3);
-        z.v = __builtin_shufflevector(loadPart(*rows[0], 1), loadPart(*rows[1], 1), 0, 2);
-    }
-}
-
-/// Writes each lane's x, y and z to its row, if there is one.
-template <int W>
-void scatterRows(Lane<W> x, Lane<W> y, Lane<W> z, LaneRow* const (&rows)[W])
-{
-    const auto store = [&rows](int i, auto first, auto second) {
-        if (rows[i] == nullptr) return;
-        auto* bytes = reinterpret_cast<unsigned char*>(rows[i]);
-        __builtin_memcpy(bytes, &first, sizeof first);
-        if constexpr (W == 2) __builtin_memcpy(bytes + sizeof first, &second, sizeof second);
-    };
-    if constexpr (W == 4) {
-        const auto xy01 = __builtin_shufflevector(x.v, y.v, 0, 4, 1, 5);
-        const auto xy23 = __builtin_shufflevector(x.v, y.v, 2, 6, 3, 7);
-        store(0, __builtin_shufflevector(xy01, z.v, 0, 1, 4, 4), 0);
-        store(1, __builtin_shufflevector(xy01, z.v, 2, 3, 5, 5), 0);
-        store(2, __builtin_shufflevector(xy23, z.v, 0, 1, 6, 6), 0);
-        store(3, __builtin_shufflevector(xy23, z.v, 2, 3, 7, 7), 0);
-    } else {
-        store(0, __builtin_shufflevector(x.v, y.v, 0, 2), __builtin_shufflevector(z.v, z.v, 0, 0));
-        store(1, __builtin_shufflevector(x.v, y.v, 1, 3), __builtin_shufflevector(z.v, z.v, 1, 1));
-    }
-}
 
 }  // namespace tamias2d::inline TAMIAS_PRECISION

@@ -24,7 +24,6 @@ struct ContactPointRow {
     Vec2 armA, armB;             // from the centers of mass to the point of contact   [m]
     real gap = 0;                // beyond the rest gap   [m]
     real normalMass = 0, tangentMass = 0;   // inverse of the effective masses   [1/kg]
-    real pushImpulse = 0;        // of the pass that undoes overlaps
 };
 
 /// Two shapes whose swept boxes overlap, and all that is known of how they meet.
@@ -43,7 +42,7 @@ struct Contact {
     real rollingImpulse = 0;     // [N*m*s]
     real surfaceSpeed = 0;       // of B's surface against A's along the tangent   [m/s]
     Vec2 stepImpulse;            // on B, summed over the step, whatever became of the points   [N*s]
-    real crossMass = 0;          // off the diagonal of the two points' 2x2 block   [1/kg]
+    real pushed = 0;             // impulses of the pass that undoes overlaps   [N*s]
     real time = 0;               // of the pose of the manifold, within the tick   [s]
     bool swept = false;          // looked at again in every tick
     real clearance = 0;          // of a swept pair: it is at least that far apart now   [m]

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <tamias2d/model/defs.hpp>
 #include <tamias2d/model/tuning.hpp>
 
 namespace tamias2d::inline TAMIAS_PRECISION {
@@ -16,9 +17,12 @@ struct StepContext {
     real h = 0;             ///< length of a tick                    [s]
     real invH = 0;          ///< [1/s]
     real lengthUnit = 1;    ///< [m]
+    real mostSteady = 0;    ///< that contacts may change a velocity by in a tick   [m/s]
+    real mostSteadySpin = 0;   ///< [rad/s]
     Tuning tuning;
 
-    real pushSpeed() const { return tuning.pushSpeed * lengthUnit; }
+    /// Fastest push, all of which is done in one tick of the step.   [m/s]
+    real mostPush() const { return tuning.pushSpeed * lengthUnit * static_cast<real>(ticks); }
     real calmSpeed() const { return tuning.calmSpeed * lengthUnit; }
 };
 
@@ -32,6 +36,8 @@ inline StepContext makeStepContext(const Tuning& tuning, real lengthUnit, double
     context.h = static_cast<real>(dt / context.ticks);
     context.invH = 1 / context.h;
     context.lengthUnit = lengthUnit;
+    context.mostSteady = static_cast<real>(2 * kMaxSpeed * static_cast<double>(lengthUnit) / context.ticks);
+    context.mostSteadySpin = static_cast<real>(2 * kMaxSpin / context.ticks);
     context.tuning = tuning;
     return context;
 }

@@ -19,13 +19,14 @@ double inertiaOf(const Motion& m)
 
 // Mass-weighted rigid motion of each island without a ground.
 void measureFreeIslands(const std::vector<Motion>& rows, const std::vector<TickChange>& changes,
-                        const Islands& islands, std::vector<FreeIsland>& free)
+                        const Islands& islands, CalmRows& calmRows)
 {
+    std::vector<FreeIsland>& free = calmRows.free;
     free.assign(islands.count(), {});
     const auto each = [&](auto&& visit) {
-        for (std::size_t i = 0; i < rows.size(); ++i) {
+        for (const std::uint32_t i : calmRows.rows) {
             const std::uint32_t island = islands.islandOf[i];
-            if (island == Islands::kNone || islands.groundOf[island] != Islands::kNone) continue;
+            if (islands.groundOf[island] != Islands::kNone) continue;
             if (rows[i].isFree()) visit(free[island], rows[i], changes[i]);
         }
     };
@@ -72,26 +73,33 @@ CalmReference motionOfGround(const Motion& ground)
 
 }  // namespace
 
+void findCalmRows(const Islands& islands, CalmRows& found)
+{
+    found.rows.clear();
+    found.anyFree = false;
+    for (std::uint32_t i = 0; i < islands.islandOf.size(); ++i) {
+        const std::uint32_t island = islands.islandOf[i];
+        if (island == Islands::kNone || islands.sizeOf[island] < 2) continue;  // a lone body is calm
+        const std::uint32_t ground = islands.groundOf[island];
+        if (ground == Islands::kSeveral) continue;  // no one motion to come to rest against
+        found.rows.push_back(i);
+        found.anyFree = found.anyFree || ground == Islands::kNone;
+    }
+}
+
 void calm(std::vector<Motion>& rows, const std::vector<TickChange>& changes, const Islands& islands,
-          const StepContext& context, std::vector<FreeIsland>& free)
+          CalmRows& calmRows, const StepContext& context)
 {
     const real rate = context.tuning.calmRate;
     if (!(rate > 0)) return;
-    bool anyFree = false;
-    for (std::size_t i = 0; i < rows.size(); ++i) {
-        const std::uint32_t island = islands.islandOf[i];
-        if (rows[i].loaded && island != Islands::kNone && islands.groundOf[island] == Islands::kNone)
-            anyFree = true;
-    }
-    if (anyFree) measureFreeIslands(rows, changes, islands, free);
+    std::vector<FreeIsland>& free = calmRows.free;
+    if (calmRows.anyFree) measureFreeIslands(rows, changes, islands, calmRows);
 
-    for (std::size_t i = 0; i < rows.size(); ++i) {
+    for (const std::uint32_t i : calmRows.rows) {
         Motion& m = rows[i];
+        if (!m.loaded) continue;
         const std::uint32_t island = islands.islandOf[i];
-        if (!m.loaded || island == Islands::kNone || islands.sizeOf[island] < 2)
-            continue;  // a lone body is calm
         const std::uint32_t ground = islands.groundOf[island];
-        if (ground == Islands::kSeveral) continue;  // no one motion to come to rest against
         const bool isFree = ground == Islands::kNone;
         if (isFree && !m.isFree()) continue;   // its momentum could not be given back
         const CalmReference reference = isFree ? free[island].motion : motionOfGround(rows[ground]);
@@ -117,11 +125,11 @@ void calm(std::vector<Motion>& rows, const std::vector<TickChange>& changes, con
     }
 
     // What an island without a ground lost comes back as a rigid motion of the whole.
-    if (!anyFree) return;
-    for (std::size_t i = 0; i < rows.size(); ++i) {
+    if (!calmRows.anyFree) return;
+    for (const std::uint32_t i : calmRows.rows) {
         Motion& m = rows[i];
         const std::uint32_t island = islands.islandOf[i];
-        if (island == Islands::kNone || islands.groundOf[island] != Islands::kNone || !m.isFree()) continue;
+        if (islands.groundOf[island] != Islands::kNone || !m.isFree()) continue;
         const FreeIsland& f = free[island];
         if (!(f.mass > 0) || !(f.inertia > 0)) continue;
         const Vec2 r = toVec2(m.center - f.motion.center);

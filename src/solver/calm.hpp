@@ -35,10 +35,18 @@ struct FreeIsland {
     double lostSpin = 0;         // angular momentum about the center
 };
 
+/// The bodies that calming may concern, of a step: those of islands of more than one body, with one motion to
+/// come to rest against.
+struct CalmRows {
+    std::vector<std::uint32_t> rows;
+    bool anyFree = false;  // is there an island among them that stands on nothing?
+    std::vector<FreeIsland> free;  // by island, scratch
+};
+void findCalmRows(const Islands& islands, CalmRows& found);
+
 /// Slows loaded bodies that are already slow and not speeding up, against the ground their island
-/// stands on, or against the island's own motion, whose momentum is kept. `free` is scratch.
-/// docs/theory/calm.md.
+/// stands on, or against the island's own motion, whose momentum is kept. docs/theory/calm.md.
 void calm(std::vector<Motion>& rows, const std::vector<TickChange>& changes, const Islands& islands,
-          const StepContext& context, std::vector<FreeIsland>& free);
+          CalmRows& calmRows, const StepContext& context);
 
 }  // namespace tamias2d::inline TAMIAS_PRECISION

@@ -116,11 +116,11 @@ real refined(const Contact& c, const ManifoldPoint& anchor, const FlyingPair& pa
 
 }  // namespace
 
-real fastestPoint(const Flight& flight, const Motion& m, real h)
+real fastestPoint(const Motion& m, Vec2 acceleration, real spinRate, real h)
 {
+    const auto sum = [](Vec2 v) { return absolute(v.x) + absolute(v.y); };  // at least its length
     const real extent = real(1.5) * m.extent;  // points lie a little beyond it, on the other surface
-    return length(flight.velocity) + h * length(flight.acceleration) +
-           extent * (absolute(flight.spin) + h * absolute(flight.spinRate));
+    return sum(m.velocity) + h * sum(acceleration) + extent * (absolute(m.spin) + h * absolute(spinRate));
 }
 
 real travelWithin(const Flight& a, const Motion& ma, const Flight& b, const Motion& mb, real h)

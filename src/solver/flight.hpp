@@ -69,7 +69,7 @@ struct Impact {
 };
 
 /// A bound on the speed of any point of a body within a tick of length `h`.   [m/s]
-real fastestPoint(const Flight& flight, const Motion& m, real h);
+real fastestPoint(const Motion& m, Vec2 acceleration, real spinRate, real h);
 
 /// A bound on how far any two points of two bodies move against each other within `h`.   [m]
 real travelWithin(const Flight& a, const Motion& ma, const Flight& b, const Motion& mb, real h);

@@ -110,8 +110,10 @@ bool ImpactResponse::actOnBoth(Contact& c, int first, real t, real restitution)
     const real k12 = crossCompliance(a, b, n, one.place.armA, one.place.armB, two.place.armA, two.place.armB);
     // One of the two may have no part in it: the first one hit then turns the body off the other.
     const real b1 = -(1 + restitution) * v1, b2 = -(1 + restitution) * v2;
-    real j1, j2;
-    if (!solveBlock(k1, k2, k12, -b1, -b2, j1, j2)) return false;
+    const real determinant = k1 * k2 - k12 * k12;
+    if (!(k1 > 0) || !(k2 > 0) || !(determinant > real(1e-4) * k1 * k2)) return false;
+    real j1 = 0, j2 = 0;
+    solveNormalPair(k1, k2, k12, 1 / k1, 1 / k2, 1 / determinant, -b1, -b2, j1, j2);
 
     if (j1 > 0) applyAt(c, one.place, j1 * n, t);
     if (j2 > 0) applyAt(c, two.place, j2 * n, t);

@@ -8,6 +8,7 @@
 #include "model/contacts.hpp"
 #include "model/sleep.hpp"
 #include "model/step_context.hpp"
+#include "solver/contact_passes.hpp"
 #include "solver/impact_scratch.hpp"
 #include "solver/integrate.hpp"
 
@@ -34,6 +35,8 @@ struct ImpactStage {
     Islands& islands;
     MotionTable& motions;
     ContactTable& contacts;
+    ContactPasses& passes;
+    TickRows& rows;
     std::vector<SweepBox>& boxes;          // of the broad phase: grown for bodies thrown out of theirs
     std::vector<ImpactKick>& kicks;        // by row
     std::vector<ImpactRecord>& records;

@@ -24,20 +24,21 @@ real nearGap(const Contact& c)
 class ImpactSolver {
 public:
     ImpactSolver(ImpactStage& stage, const StepContext& context, int tick);
-    void run();
+    void run(const std::vector<std::uint32_t>& approaching);
 
 private:
     ImpactStage& stage_;
     const StepContext& context_;
     ImpactScratch& scratch_;
     const real tickStart_;                   // within the step   [s]
-    bool connected_ = false;                 // have the chains been made?
     ImpactResponse response_;
 
     Contact& contact(std::uint32_t i) { return stage_.contacts.rows[i]; }
     Motion& motion(std::uint32_t row) { return stage_.motions.rows[row]; }
     FlyingPair pairOf(const Contact& c) const { return response_.pairOf(c); }
 
+    void trackFlight(std::uint32_t row);
+    Contact& loosen(std::uint32_t i);
     void connect();
     void chain(std::uint32_t i);
     void placePoints(std::uint32_t i);
@@ -61,25 +62,36 @@ ImpactSolver::ImpactSolver(ImpactStage& stage, const StepContext& context, int t
       tickStart_(static_cast<real>(tick) * context.h),
       response_(stage, context, stage.scratch.flights, tickStart_)
 {
-    const std::size_t rows = stage.motions.rows.size(), contacts = stage.contacts.rows.size();
-    scratch_.flights.resize(rows);
-    scratch_.reach.resize(rows);
+    const std::size_t contacts = stage.contacts.rows.size();
+    scratch_.flights.resize(stage.motions.rows.size());
+    scratch_.flies.assign(stage.motions.rows.size(), 0);
     scratch_.points.resize(2 * contacts);
     scratch_.versions.assign(contacts, 0);
     scratch_.placed.assign(contacts, false);
-    scratch_.places.resize(contacts);
     scratch_.queue.clear();
-    for (std::size_t row = 0; row < rows; ++row) {
-        scratch_.flights[row] = flightOf(stage.motions.rows[row], context.invH);
-        scratch_.reach[row] = fastestPoint(scratch_.flights[row], stage.motions.rows[row], context.h);
-    }
-    for (std::uint32_t k = 0; k < contacts; ++k) scratch_.places[stage.contacts.order[k]] = k;
+}
+
+// Nobody looks at the flight of a body, or at a contact in its lane, before this.
+void ImpactSolver::trackFlight(std::uint32_t row)
+{
+    if (scratch_.flies[row] != 0) return;
+    scratch_.flies[row] = 1;
+    scratch_.flights[row] = flightOf(motion(row), context_.invH);
+}
+
+Contact& ImpactSolver::loosen(std::uint32_t i)
+{
+    stage_.passes.loosen(i, stage_.contacts, stage_.motions);
+    Contact& c = contact(i);
+    trackFlight(c.rowA);
+    trackFlight(c.rowB);
+    return c;
 }
 
 void ImpactSolver::connect()
 {
-    if (connected_) return;
-    connected_ = true;
+    if (scratch_.connected) return;
+    scratch_.connected = true;
     scratch_.chains.reset(scratch_.flights.size());
     for (const std::uint32_t i : stage_.contacts.order) chain(i);
 }
@@ -101,7 +113,7 @@ void ImpactSolver::placePoints(std::uint32_t i)
 
 void ImpactSolver::schedule(std::uint32_t i)
 {
-    const Contact& c = contact(i);
+    const Contact& c = loosen(i);
     ++scratch_.versions[i];
     if (!scratch_.placed[i]) placePoints(i);
     const Impact impact = nextImpact(c, &scratch_.points[2 * std::size_t{i}], pairOf(c), context_);
@@ -147,11 +159,14 @@ bool ImpactSolver::isFarFrom(real start, const Contact& c)
 // looked at again only if it turns on; loaded contacts keep their manifold.
 void ImpactSolver::resweep(std::uint32_t i, bool own)
 {
-    Contact& c = contact(i);
+    Contact& c = loosen(i);
     const real start = pairOf(c).start();
     for (int k = 0; k < c.count; ++k)
         if (c.points[k].normalImpulse > 0) return;
-    if (!c.swept) c.clearance = -std::numeric_limits<real>::max();  // not known
+    if (!c.swept) {
+        c.clearance = -std::numeric_limits<real>::max();  // not known
+        scratch_.swept.push_back(i);
+    }
     c.swept = true;
     if (!(start < context_.h) || (own && !turnsOn(c, context_.h - start))) return;
     if (isFarFrom(start, c)) {
@@ -180,6 +195,7 @@ void ImpactSolver::takeUp(std::uint32_t first)
     scratch_.placed.resize(count, false);
     for (std::uint32_t i = first; i < count; ++i) {
         scratch_.places.push_back(i);  // the order of what comes in is that of the rows
+        if (contact(i).swept) scratch_.swept.push_back(i);
         chain(i);
     }
 }
@@ -294,13 +310,14 @@ void ImpactSolver::follow(std::uint32_t row, std::uint32_t hit)
     pairAgain(row);
 }
 
-void ImpactSolver::run()
+void ImpactSolver::run(const std::vector<std::uint32_t>& approaching)
 {
-    for (std::uint32_t i = 0; i < stage_.contacts.rows.size(); ++i) {
-        const Contact& c = contact(i);
-        const real most = scratch_.reach[c.rowA] + scratch_.reach[c.rowB];
-        if (c.count > 0 && most >= slowestInCrowd(c, context_)) schedule(i);
+    for (const std::uint32_t row : scratch_.strays) {
+        connect();
+        trackFlight(row);
+        pairAgain(row);
     }
+    for (const std::uint32_t i : approaching) schedule(i);
     while (!scratch_.queue.empty()) {
         std::pop_heap(scratch_.queue.begin(), scratch_.queue.end());
         const DueImpact due = scratch_.queue.back();
@@ -308,6 +325,7 @@ void ImpactSolver::run()
         const std::uint32_t i = stage_.contacts.order[due.place];
         if (due.version != scratch_.versions[i]) continue;
         connect();
+        scratch_.kicked = true;
         response_.act(contact(i), due.impact);
         resweep(i, true);
         schedule(i);
@@ -320,13 +338,40 @@ void ImpactSolver::run()
 
 void applyImpacts(ImpactStage& stage, const StepContext& context, int tick)
 {
-    ImpactSolver(stage, context, tick).run();
+    const std::vector<std::uint32_t>& approaching =
+        stage.passes.approaching(stage.rows, context, stage.scratch.fastest);
+    if (approaching.empty() && stage.scratch.strays.empty()) return;
+    ImpactSolver(stage, context, tick).run(approaching);
 }
 
 void keepClearance(Contact& c, const std::vector<Way>& ways)
 {
     const Way &a = ways[c.rowA], &b = ways[c.rowB];
     c.clearance -= real(1.001) * (length(b.shift - a.shift) + a.turn + b.turn) + real(0.01) * c.restGap;
+}
+
+void startSweeps(ImpactStage& stage, const StepContext& context)
+{
+    ImpactScratch& scratch = stage.scratch;
+    scratch.predicted.clear();
+    for (const Motion& m : stage.motions.rows) {
+        const Trajectory path = predictedPath(m, m.center, context.invH);
+        real least = std::numeric_limits<real>::max();
+        if (m.moves()) {  // what holds still leaves no box
+            for (const std::uint32_t shape : stage.world.bodies.rows[m.body].shapes)
+                least = minimum(least, stage.world.shapes.rows[shape].convex.size);
+        }
+        scratch.predicted.push_back({path.velocity, path.acceleration, path.spin, path.spinRate, 0,
+                                     2 * context.tuning.restGap * least});
+    }
+    scratch.tree.clear();  // the boxes are new
+    scratch.connected = false;
+    scratch.places.resize(stage.contacts.rows.size());
+    for (std::uint32_t k = 0; k < stage.contacts.order.size(); ++k)
+        scratch.places[stage.contacts.order[k]] = k;
+    scratch.swept.clear();
+    for (std::uint32_t i = 0; i < stage.contacts.rows.size(); ++i)
+        if (stage.contacts.rows[i].swept) scratch.swept.push_back(i);
 }
 
 void resweepForTick(ImpactStage& stage, const std::vector<Way>& ways, const StepContext& context)
@@ -349,14 +394,17 @@ void resweepForTick(ImpactStage& stage, const std::vector<Way>& ways, const Step
         }
         count = 0;
     };
-    for (Contact& c : stage.contacts.rows) {
-        if (!c.swept) continue;
+    for (const std::uint32_t i : stage.scratch.swept) {
+        Contact& c = stage.contacts.rows[i];
         const Motion &a = rows[c.rowA], &b = rows[c.rowB];
         keepClearance(c, ways);
         // Too far apart to meet in this tick: what the sweep would say without looking.
         const real travel =
             travelWithin(flightOf(a, context.invH), a, flightOf(b, context.invH), b, context.h);
-        if (c.clearance - travel > nearGap(c)) {
+        const bool far = c.clearance - travel > nearGap(c);
+        if (far && c.count == 0) continue;
+        stage.passes.take(i, stage.contacts);
+        if (far) {
             adoptManifold(c, {}, 0);
             continue;
         }
@@ -364,6 +412,55 @@ void resweepForTick(ImpactStage& stage, const std::vector<Way>& ways, const Step
         if (count == kPairBatch) sweep();
     }
     if (count > 0) sweep();
+}
+
+namespace {
+
+// Has the body left the way its box was made for, or will it? Impacts turn it out of it, and so do the passes
+// over contacts. `t` is the time of the tick within the step, `rest` what is left of the step.
+bool strays(const Motion& m, const LaneRow& pose, PredictedWay& way, real t, real rest, real h)
+{
+    const auto sum = [](Vec2 v) { return absolute(v.x) + absolute(v.y); };
+    const Vec2 off = Vec2{pose.x, pose.y} - t * way.velocity - (t * t / 2) * way.acceleration;
+    const Vec2 change = m.velocity - way.velocity - t * way.acceleration;
+    const real turn = m.extent * absolute(m.spin - way.spin - t * way.spinRate);
+    way.strayed += h * turn;
+    return sum(off) + rest * (sum(change) + turn) + way.strayed > way.slack;
+}
+
+}  // namespace
+
+void startTick(ImpactStage& stage, const StepContext& context, int tick, TickRows& rows)
+{
+    std::vector<Motion>& motions = stage.motions.rows;
+    ImpactScratch& scratch = stage.scratch;
+    const real t = static_cast<real>(tick) * context.h, rest = static_cast<real>(context.dt) - t;
+    scratch.fastest = 0;
+    scratch.strays.clear();
+    for (std::uint32_t row = 0; row < motions.size(); ++row) {
+        Motion& m = motions[row];
+        LaneRow& steady = rows.steady[row];
+        m.steady = {steady.x, steady.y};
+        m.steadySpin = steady.z;
+        m.loaded = steady.w > 0;
+        limitSteady(m, context);
+        steady = {m.steady.x, m.steady.y, m.steadySpin, 0};
+        rows.velocities[row] = velocityRow(m);
+        rows.outside[row] = {m.acceleration.x, m.acceleration.y, 0, 0};
+        if (!m.moves()) {
+            const real reach = fastestPoint(m, {}, 0, context.h);
+            rows.expected[row] = {0, 0, 0, reach};
+            scratch.fastest = maximum(scratch.fastest, reach);
+            continue;
+        }
+        const Vec2 acceleration = expectedAcceleration(m, context.invH);
+        const real spinRate = expectedSpinRate(m, context.invH);
+        const real reach = fastestPoint(m, acceleration, spinRate, context.h);
+        rows.expected[row] = {acceleration.x, acceleration.y, spinRate, reach};
+        scratch.fastest = maximum(scratch.fastest, reach);
+        if (tick > 0 && strays(m, rows.poses[row], scratch.predicted[row], t, rest, context.h))
+            scratch.strays.push_back(row);
+    }
 }
 
 }  // namespace tamias2d::inline TAMIAS_PRECISION

@@ -12,6 +12,13 @@ void applyImpacts(ImpactStage& stage, const StepContext& context, int tick);
 /// Takes from the clearance of a swept pair what its bodies went in a tick.
 void keepClearance(Contact& contact, const std::vector<Way>& ways);
 
+/// What holds for all ticks of a step.
+void startSweeps(ImpactStage& stage, const StepContext& context);
+
+/// Starts tick number `tick` of the step for all bodies: what their contacts carry, from rows.steady, how
+/// fast they may become, and who leaves the box of the broad phase. What the lanes need goes to `rows`.
+void startTick(ImpactStage& stage, const StepContext& context, int tick, TickRows& rows);
+
 /// Looks again at the swept pairs, over this tick alone. `ways` are those of the tick before.
 void resweepForTick(ImpactStage& stage, const std::vector<Way>& ways, const StepContext& context);
 

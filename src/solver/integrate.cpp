@@ -87,12 +87,12 @@ void kickFirst(Motion& m, const ImpactKick& kick)
     m.spin += kick.spinBefore;
 }
 
-Way drift(Motion& m, const Push& push, real h)
+Way drift(Motion& m, const BodyMotion<real>& push, real h)
 {
     const double time = static_cast<double>(h);
-    const DVec2 shift = time * toDVec2(m.velocity + push.shift) + m.excess;
+    const DVec2 shift = time * toDVec2(m.velocity + push.velocity) + m.excess;
     m.center = m.center + shift;
-    const double turn = time * static_cast<double>(m.spin + push.turn) + m.excessTurn;
+    const double turn = time * static_cast<double>(m.spin + push.spin) + m.excessTurn;
     if (turn != 0) {
         m.angle = wrapAngle(m.angle + turn);
         m.rotation = Rot::ofAngle(m.angle);

@@ -29,7 +29,7 @@ struct Way {
 };
 
 /// Moves the body along its velocity and the push, and by what damping adds to that.
-Way drift(Motion& m, const Push& push, real h);
+Way drift(Motion& m, const BodyMotion<real>& push, real h);
 
 /// The rest of the kick, with the acceleration at the new place.
 void kickSecond(Motion& m, const ImpactKick& kick);

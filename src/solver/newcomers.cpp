@@ -6,6 +6,8 @@
 
 #include "contacts/rows.hpp"
 
+#include <limits>
+
 namespace tamias2d::inline TAMIAS_PRECISION {
 
 void enter(ImpactStage& stage, std::uint32_t body, const StepContext& context)
@@ -16,7 +18,15 @@ void enter(ImpactStage& stage, std::uint32_t body, const StepContext& context)
     stage.islands.islandOf.push_back(Islands::kNone);
     stage.kicks.emplace_back();
     stage.scratch.flights.push_back(flightOf(rows.back(), context.invH));
-    stage.scratch.reach.push_back(fastestPoint(stage.scratch.flights.back(), rows.back(), context.h));
+    stage.scratch.flies.push_back(1);
+    stage.scratch.predicted.emplace_back();  // it has no box to leave
+    stage.scratch.predicted.back().slack = std::numeric_limits<real>::max();
+    TickRows& lanes = stage.rows;
+    lanes.origins.push_back(rows.back().center);
+    lanes.poses.push_back(poseRow(rows.back(), rows.back().center));
+    lanes.velocities.push_back(velocityRow(rows.back()));
+    for (std::vector<LaneRow>* each : {&lanes.steady, &lanes.expected, &lanes.outside, &lanes.pushes})
+        each->resize(rows.size());
 }
 
 namespace {
@@ -25,18 +35,23 @@ namespace {
 void bringIn(ImpactStage& stage, Contact c)
 {
     std::vector<Motion>& rows = stage.motions.rows;
-    Motion &a = rows[c.rowA], &b = rows[c.rowB];
+    const Motion &a = rows[c.rowA], &b = rows[c.rowB];
     c.stepImpulse = {};
     c.impacts = 0;
     c.fastestImpact = 0;
     prepareContact(c, a, b);
-    addSteady(c, a, b);
+    LaneRow &carriedA = stage.rows.steady[c.rowA], &carriedB = stage.rows.steady[c.rowB];
+    BodyMotion<real> steadyA{{carriedA.x, carriedA.y}, carriedA.z},
+        steadyB{{carriedB.x, carriedB.y}, carriedB.z};
+    addSteady(c, a, b, steadyA, steadyB);
+    bool loaded = false;
     for (ContactPointRow& point : c.points) {
-        point.stepNormal = point.stepTangent = point.pushImpulse = 0;
+        point.stepNormal = point.stepTangent = 0;
         point.wasLoaded = point.normalImpulse > 0;
+        loaded = loaded || point.wasLoaded;
     }
-    for (int i = 0; i < c.count; ++i)
-        if (c.points[i].wasLoaded) a.loaded = b.loaded = true;
+    carriedA = {steadyA.velocity.x, steadyA.velocity.y, steadyA.spin, loaded ? real(1) : carriedA.w};
+    carriedB = {steadyB.velocity.x, steadyB.velocity.y, steadyB.spin, loaded ? real(1) : carriedB.w};
     stage.contacts.order.push_back(static_cast<std::uint32_t>(stage.contacts.rows.size()));
     stage.contacts.rows.push_back(c);
 }
@@ -73,9 +88,14 @@ void rouse(ImpactStage& stage, std::uint32_t group, const StepContext& context, 
     }
     for (const std::uint32_t body : sleepers.bodies) {
         const std::uint32_t row = motions.rowOf[body];
-        limitSteady(motions.rows[row], context);
-        stage.scratch.flights[row] = flightOf(motions.rows[row], context.invH);
-        stage.scratch.reach[row] = fastestPoint(stage.scratch.flights[row], motions.rows[row], context.h);
+        Motion& m = motions.rows[row];
+        LaneRow& carried = stage.rows.steady[row];
+        m.steady = {carried.x, carried.y};
+        m.steadySpin = carried.z;
+        m.loaded = carried.w > 0;
+        limitSteady(m, context);
+        carried = {m.steady.x, m.steady.y, m.steadySpin, 0};
+        stage.scratch.flights[row] = flightOf(m, context.invH);
     }
     stage.roused.push_back(group);
 }

@@ -4,82 +4,11 @@
 
 #include "solver/solve.hpp"
 
-#include "contacts/rows.hpp"
 #include "solver/calm.hpp"
 #include "solver/integrate.hpp"
 
-#include <algorithm>
-
 namespace tamias2d::inline TAMIAS_PRECISION {
 namespace {
-
-void forgetSums(SolverStage& stage)
-{
-    for (Contact& c : stage.contacts.rows) {
-        c.stepImpulse = {};
-        for (ContactPointRow& point : c.points) point.stepNormal = point.stepTangent = 0;
-    }
-}
-
-// The warm start of the tick: what the contacts carry, as velocity changes of the bodies. Taken with the
-// arms of the present poses: carried over from the tick before, impulses at points that slide would
-// change the angular momentum of the whole. What carries a load at this moment is loaded for the tick: no
-// impact changes a contact that is.
-void gatherSteady(SolverStage& stage, const StepContext& context)
-{
-    for (Motion& m : stage.motions.rows) {
-        m.steady = {};
-        m.steadySpin = 0;
-        m.loaded = false;
-    }
-    for (Contact& c : stage.contacts.rows) {
-        c.impacts = 0;
-        c.fastestImpact = 0;
-        if (c.count == 0) continue;
-        Motion &a = stage.motions.rows[c.rowA], &b = stage.motions.rows[c.rowB];
-        prepareContact(c, a, b);
-        addSteady(c, a, b);
-        for (int i = 0; i < c.count; ++i) {
-            ContactPointRow& point = c.points[i];
-            point.wasLoaded = point.normalImpulse > 0;
-            point.pushImpulse = 0;
-            if (point.wasLoaded) a.loaded = b.loaded = true;
-        }
-    }
-    for (Motion& m : stage.motions.rows) limitSteady(m, context);
-}
-
-// One pass settles what rests. An island whose speeds it still changed gets further passes, up to a
-// limit, on its own: its neighbors never notice.
-void solvePasses(SolverStage& stage, const StepContext& context, SolverScratch& scratch)
-{
-    const real restless = context.tuning.restless * context.lengthUnit;
-    gatherBlocks(stage.contacts, stage.motions, stage.islands, context, scratch.blocks);
-    scratch.unrest.clear();
-    for (int pass = 0; pass <= context.tuning.extraPasses; ++pass) {
-        scratch.unrest.swap(scratch.unrestBefore);
-        scratch.unrest.assign(stage.islands.count(), 0);
-        passOver(scratch.blocks, stage.contacts, stage.motions, stage.islands, context, restless,
-                 scratch.unrestBefore, scratch.unrest);
-        const auto isRestless = [restless](real change) { return change > restless; };
-        if (std::none_of(scratch.unrest.begin(), scratch.unrest.end(), isRestless)) break;
-    }
-    scatterBlocks(scratch.blocks, stage.contacts, stage.motions);
-}
-
-// Once in a step, overlaps are undone by displacements that leave velocities alone.
-void pushApart(SolverStage& stage, const StepContext& context, SolverScratch& scratch, ClampCounts& clamps)
-{
-    for (const std::uint32_t i : stage.contacts.order) {
-        Contact& c = stage.contacts.rows[i];
-        pushContact(c, stage.motions.rows[c.rowA], stage.motions.rows[c.rowB], scratch.pushes[c.rowA],
-                    scratch.pushes[c.rowB], context, clamps);
-    }
-    for (const std::uint32_t i : stage.contacts.order) {
-        Contact& c = stage.contacts.rows[i];
-        repayPush(c, stage.motions.rows[c.rowA], stage.motions.rows[c.rowB], context.h);
-    }
-}
 
 // The second kick of a force that varies: taken at the new place and at the velocity expected there,
 // so that forces that depend on velocity are second order too.
@@ -102,27 +31,67 @@ std::uint32_t accelerateAfterDrift(SolverStage& stage, const StepContext& contex
     return faults;
 }
 
+// From the passes to the end of the drift.
+void driftRow(SolverScratch& scratch, std::size_t i, Motion& m, const StepContext& context)
+{
+    TickChange& change = scratch.changes[i];
+    setVelocity(m, scratch.rows.velocities[i]);
+    const Vec2 solved = change.velocity + m.velocity;
+    change.velocity = solved + m.steady;
+    change.spin += m.spin + m.steadySpin;
+    repayImpact(m, scratch.kicks[i], solved, context.h);
+    const LaneRow& push = scratch.rows.pushes[i];
+    scratch.ways[i] = drift(m, {{push.x, push.y}, push.z}, context.h);
+    scratch.rows.poses[i] = poseRow(m, scratch.rows.origins[i]);
+}
+
+// What contacts have done becomes the expectation for the next tick; then the bounds of speed.
+void kickAfterDrift(SolverScratch& scratch, std::size_t i, Motion& m, const StepContext& context,
+                    SolverCounts& counts)
+{
+    TickChange& change = scratch.changes[i];
+    kickSecond(m, scratch.kicks[i]);
+    m.steady = change.velocity;
+    m.steadySpin = change.spin;
+    change.velocity += context.h * m.acceleration;
+    change.spin += context.h * m.spinRate;
+    if (m.moves() && clampSpeed(m, context.lengthUnit)) ++counts.clamps.speed;
+}
+
 }  // namespace
 
 SolverCounts solve(SolverStage& stage, const StepContext& context)
 {
     SolverCounts counts;
     SolverScratch& scratch = stage.scratch;
-    scratch.impacts.tree.clear();  // the boxes are new
     std::vector<Motion>& rows = stage.motions.rows;
+    TickRows& lanes = scratch.rows;
     std::uint32_t groups = 0;
-    ImpactStage impacts{stage.world,     stage.field,   stage.resting,    stage.asleep,
-                        stage.islands,   stage.motions, stage.contacts,   stage.boxes,
-                        scratch.kicks,   stage.impacts, scratch.impacts,  counts.clamps,
-                        counts.repaired, groups,        counts.lawFaults, stage.roused};
+    ImpactStage impacts{stage.world,   stage.field,      stage.resting,   stage.asleep,  stage.islands,
+                        stage.motions, stage.contacts,   scratch.passes,  lanes,         stage.boxes,
+                        scratch.kicks, stage.impacts,    scratch.impacts, counts.clamps, counts.repaired,
+                        groups,        counts.lawFaults, stage.roused};
 
-    for (Motion& m : rows) {
+    lanes.origins.resize(rows.size());
+    lanes.poses.resize(rows.size());
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+        Motion& m = rows[i];
         const BodyRow& body = stage.world.bodies.rows[m.body];
         m.damping = makeDamping(m.moves() ? body.linearDamping : real(0), context.h);
         m.spinDamping = makeDamping(m.moves() ? body.angularDamping : real(0), context.h);
+        lanes.origins[i] = m.center;
+        lanes.poses[i] = poseRow(m, m.center);
     }
-    forgetSums(stage);
+    scratch.passes.begin(stage.contacts, stage.motions, stage.islands, context);
+    startSweeps(impacts, context);
+    findCalmRows(stage.islands, scratch.calmRows);
+    lanes.velocities.resize(rows.size());
+    lanes.expected.resize(rows.size());
+    lanes.outside.resize(rows.size());
+    lanes.pushes.resize(rows.size());
     scratch.ways.assign(rows.size(), {});
+    scratch.kicks.assign(rows.size(), {});
+    scratch.changes.resize(rows.size());
     bool varies = stage.field.varies(stage.motions, stage.world.bodies);
 
     Stopwatch watch;
@@ -130,9 +99,8 @@ SolverCounts solve(SolverStage& stage, const StepContext& context)
         const ProfileScope tickSpan(stage.profile, "tick");
         ProfileScope span(stage.profile, "forces");
         const double time = context.time + context.dt * tick / context.ticks;
-        scratch.kicks.assign(rows.size(), {});
-        scratch.changes.assign(rows.size(), {});
-        scratch.pushes.assign(rows.size(), {});
+        if (scratch.impacts.kicked) scratch.kicks.assign(rows.size(), {});
+        scratch.impacts.kicked = false;
         if (varies && tick > 0)
             counts.lawFaults += accelerate(stage.motions, stage.world.bodies, stage.field, time);
 
@@ -140,11 +108,11 @@ SolverCounts solve(SolverStage& stage, const StepContext& context)
         span.next("swept pairs");
         resweepForTick(impacts, scratch.ways, context);
         span.next("warm start");
-        gatherSteady(stage, context);
+        scratch.passes.prepare(stage.contacts, stage.motions, lanes, context);
+        startTick(impacts, context, tick, lanes);
         span.next("impacts");
         applyImpacts(impacts, context, tick);
         scratch.changes.resize(rows.size());  // for those that came in
-        scratch.pushes.resize(rows.size());
         scratch.ways.resize(rows.size());
         if (!stage.roused.empty()) varies = stage.field.varies(stage.motions, stage.world.bodies);
         counts.impactTime += watch.lap();
@@ -154,38 +122,29 @@ SolverCounts solve(SolverStage& stage, const StepContext& context)
         for (std::size_t i = 0; i < rows.size(); ++i) {
             kickFirst(rows[i], scratch.kicks[i]);
             scratch.changes[i] = {-rows[i].velocity, -rows[i].spin};
+            lanes.velocities[i] = velocityRow(rows[i]);
         }
-        solvePasses(stage, context, scratch);
-        if (tick == 0) pushApart(stage, context, scratch, counts.clamps);
-        for (std::size_t i = 0; i < rows.size(); ++i) {
-            const Vec2 solved = scratch.changes[i].velocity + rows[i].velocity;
-            scratch.changes[i].velocity += rows[i].velocity + rows[i].steady;
-            scratch.changes[i].spin += rows[i].spin + rows[i].steadySpin;
-            repayImpact(rows[i], scratch.kicks[i], solved, context.h);
-        }
+        scratch.passes.solve(stage.contacts, stage.motions, lanes, context);
+        if (tick <= 1) lanes.pushes.assign(rows.size(), {});
+        if (tick == 0) scratch.passes.pushApart(stage.contacts, stage.motions, lanes, context, counts.clamps);
 
-        // Drift, second kick.
         span.next("drift");
-        for (std::size_t i = 0; i < rows.size(); ++i)
-            scratch.ways[i] = drift(rows[i], scratch.pushes[i], context.h);
-        if (varies)
-            counts.lawFaults += accelerateAfterDrift(stage, context, time + context.dt / context.ticks);
+        // Drift, second kick: together, unless forces depend on where all bodies are in between.
         for (std::size_t i = 0; i < rows.size(); ++i) {
-            Motion& m = rows[i];
-            kickSecond(m, scratch.kicks[i]);
-            m.steady = scratch.changes[i].velocity;
-            m.steadySpin = scratch.changes[i].spin;
-            scratch.changes[i].velocity += context.h * m.acceleration;
-            scratch.changes[i].spin += context.h * m.spinRate;
+            driftRow(scratch, i, rows[i], context);
+            if (!varies) kickAfterDrift(scratch, i, rows[i], context, counts);
+        }
+        if (varies) {
+            counts.lawFaults += accelerateAfterDrift(stage, context, time + context.dt / context.ticks);
+            for (std::size_t i = 0; i < rows.size(); ++i)
+                kickAfterDrift(scratch, i, rows[i], context, counts);
         }
         span.next("calm");
-        calm(rows, scratch.changes, stage.islands, context, scratch.freeIslands);
-        for (Motion& m : rows)
-            if (m.moves() && clampSpeed(m, context.lengthUnit)) ++counts.clamps.speed;
+        calm(rows, scratch.changes, stage.islands, scratch.calmRows, context);
         counts.solveTime += watch.lap();
     }
-    for (Contact& c : stage.contacts.rows)
-        if (c.swept) keepClearance(c, scratch.ways);
+    scratch.passes.end(stage.contacts);
+    for (const std::uint32_t i : scratch.impacts.swept) keepClearance(stage.contacts.rows[i], scratch.ways);
     return counts;
 }
 

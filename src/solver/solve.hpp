@@ -6,7 +6,7 @@
 #include "forces/accelerations.hpp"
 #include "islands/links.hpp"
 #include "solver/calm.hpp"
-#include "solver/contact_blocks.hpp"
+#include "solver/contact_passes.hpp"
 #include "solver/impacts.hpp"
 
 namespace tamias2d::inline TAMIAS_PRECISION {
@@ -15,12 +15,13 @@ namespace tamias2d::inline TAMIAS_PRECISION {
 struct SolverScratch {
     std::vector<ImpactKick> kicks;      // by row
     std::vector<TickChange> changes;    // by row
-    std::vector<Push> pushes;           // by row
+    CalmRows calmRows;
     std::vector<Way> ways;              // by row: in the last tick
     std::vector<std::pair<Vec2, real>> held;   // by row: velocity and spin
-    std::vector<real> unrest, unrestBefore;    // by island: greatest change of speed in a pass   [m/s]
-    std::vector<FreeIsland> freeIslands;       // by island
-    ContactBlocks blocks;
+    TickRows rows;
+    ContactPasses passes;
+
+    explicit SolverScratch(LaneWidth lanes) : passes(lanes) {}
     ImpactScratch impacts;
 };
 

@@ -93,6 +93,8 @@ Complaint check(const WorldDef& def)
         .add(checkMixingRule("WorldDef.frictionMixing", def.frictionMixing, false))
         .add(checkMixingRule("WorldDef.restitutionMixing", def.restitutionMixing, false))
         .add(check(def.tuning))
+        .add(checkThat(hasLanes(def.lanes), "WorldDef.lanes", static_cast<int>(def.lanes),
+                       "must be one of LaneWidth that this machine has"))
         .first();
 }
 

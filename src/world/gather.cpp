@@ -45,8 +45,12 @@ void predictSteady(const ContactTable& contacts, const BodyTable& bodies, const 
         const std::uint32_t bodyA = shapes.rows[c.shapeA].body, bodyB = shapes.rows[c.shapeB].body;
         if (!bodies.rows[bodyA].enabled || !bodies.rows[bodyB].enabled) continue;
         const std::uint32_t a = motions.rowOf[bodyA], b = motions.rowOf[bodyB];
-        addSteady(c, a == MotionTable::kNone ? still : motions.rows[a],
-                  b == MotionTable::kNone ? still : motions.rows[b]);
+        Motion& ma = a == MotionTable::kNone ? still : motions.rows[a];
+        Motion& mb = b == MotionTable::kNone ? still : motions.rows[b];
+        BodyMotion<real> steadyA{ma.steady, ma.steadySpin}, steadyB{mb.steady, mb.steadySpin};
+        addSteady(c, ma, mb, steadyA, steadyB);
+        ma.steady = steadyA.velocity, ma.steadySpin = steadyA.spin;
+        mb.steady = steadyB.velocity, mb.steadySpin = steadyB.spin;
     }
     for (Motion& m : motions.rows) limitSteady(m, context);
 }

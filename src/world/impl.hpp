@@ -62,7 +62,7 @@ struct GraphScratch {
 /// All that one World owns.
 struct World::Impl {
     explicit Impl(const WorldDef& def, std::uint32_t number)
-        : id(number), settings(def), bodies(number), shapes(number), lawIds(number)
+        : id(number), settings(def), bodies(number), shapes(number), lawIds(number), solverScratch(def.lanes)
     {
     }
 

@@ -45,6 +45,7 @@ const std::vector<BadNumber<WorldDef>> kWorldDefFields = {
     {"restitutionMixing",
      {0, 6, 77},
      [](WorldDef& d, double x) { d.restitutionMixing = static_cast<MixingRule>(static_cast<int>(x)); }},
+    {"lanes", {5, 77}, [](WorldDef& d, double x) { d.lanes = static_cast<LaneWidth>(static_cast<int>(x)); }},
 };
 
 TEST(BadInput, EveryFieldOfAWorldDefinitionIsChecked)

@@ -312,7 +312,7 @@ TEST(Sleep, GivesTheSameBitsEachTime)
         addBin(world, {});
         std::vector<Body> bodies = addHail(world, 40, true, 5, {});
         std::vector<std::uint64_t> all;
-        for (int i = 0, slept = 0; i < 1200 && slept < 2; ++i) {
+        for (int i = 0, slept = 0; i < 3600 && slept < 2; ++i) {
             world.step();
             all.push_back(world.stateHash());
             if (!allAsleep(world)) continue;

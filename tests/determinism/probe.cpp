@@ -138,10 +138,19 @@ void sleepers(World& world)
 
 void print(const char* name, void (*fill)(World&))
 {
-    World world;
-    fill(world);
-    for (int i = 0; i < kSteps; ++i) world.step();
-    std::printf("%s %s %016" PRIx64 "\n", sizeof(real) == 4 ? "f32" : "f64", name, world.stateHash());
+    const char* const precision = sizeof(real) == 4 ? "f32" : "f64";
+    std::uint64_t first = 0;
+    using enum LaneWidth;
+    for (const LaneWidth lanes : {Scalar, Bytes16, Bytes32, Bytes64}) {
+        if (!hasLanes(lanes)) continue;
+        World world({.lanes = lanes});
+        fill(world);
+        for (int i = 0; i < kSteps; ++i) world.step();
+        if (lanes == Scalar)
+            std::printf("%s %s %016" PRIx64 "\n", precision, name, first = world.stateHash());
+        else if (world.stateHash() != first)
+            std::printf("%s %s differs with lanes %d\n", precision, name, static_cast<int>(lanes));
+    }
 }
 
 }  // namespace

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <tamias2d/base/ids.hpp>
+#include <tamias2d/base/lane_width.hpp>
 #include <tamias2d/geometry/mass.hpp>
 #include <tamias2d/geometry/shapes.hpp>
 #include <tamias2d/math/transform.hpp>
@@ -31,6 +32,7 @@ struct WorldDef {
     MixingRule restitutionMixing = MixingRule::Maximum;  ///< not MixingRule::World
     bool allowSleep = true;  ///< bodies at rest fall asleep: they cost nothing until something happens
     Tuning tuning = {};
+    LaneWidth lanes = LaneWidth::Best;  ///< one that this machine has; no result depends on it
 };
 
 /// Nature's constant of gravitation, as the SRS states it [T3].

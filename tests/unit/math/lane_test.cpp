@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "math/lane.hpp"
+#include "math/lane_rows.hpp"
 #include "support/traces.hpp"
 
 #include <tamias2d/math/scalar.hpp>
@@ -13,8 +13,6 @@
 namespace tamias2d {
 namespace {
 
-using Wide = Lane<kLanes>;
-
 constexpr real kInfinity = std::numeric_limits<real>::infinity();
 
 // Equal in all bits; two NaN count as equal.
@@ -24,7 +22,8 @@ bool sameBits(real a, real b)
 }
 
 // Numbers of all kinds, one to each lane.
-Wide anyNumbers(std::mt19937& random)
+template <int W>
+Lane<W> anyNumbers(std::mt19937& random)
 {
     const real special[] = {0,
                             real(-0.0),
@@ -35,20 +34,21 @@ Wide anyNumbers(std::mt19937& random)
                             std::numeric_limits<real>::quiet_NaN(),
                             std::numeric_limits<real>::denorm_min()};
     std::uniform_real_distribution<real> ordinary(-10, 10);
-    Wide wide;
-    for (int i = 0; i < kLanes; ++i) wide.v[i] = random() % 3 == 0 ? special[random() % 8] : ordinary(random);
+    Lane<W> wide;
+    for (int i = 0; i < W; ++i) wide.v[i] = random() % 3 == 0 ? special[random() % 8] : ordinary(random);
     return wide;
 }
 
 TEST(Lanes, AreReadAndWrittenBitForBit)
 {
     TRACES("ADR6");
+    using Wide = Lane<kLanes>;
     std::mt19937 random(2);
     for (int trial = 0; trial < 500; ++trial) {
         Vec2 vectors[kLanes];
         real reals[kLanes], written[kLanes];
         for (int i = 0; i < kLanes; ++i) {
-            const Wide any = anyNumbers(random);
+            const Wide any = anyNumbers<kLanes>(random);
             vectors[i] = {any.v[0], any.v[1]};
             reals[i] = any.v[0];
         }
@@ -63,12 +63,13 @@ TEST(Lanes, AreReadAndWrittenBitForBit)
     }
 }
 
-TEST(Lanes, ReckonAsOneRealDoes)
+template <int W>
+void expectTheBitsOfOneReal()
 {
-    TRACES("ADR5", "ADR6");
+    using Wide = Lane<W>;
     std::mt19937 random(1);
     for (int trial = 0; trial < 5000; ++trial) {
-        const Wide a = anyNumbers(random), b = anyNumbers(random), c = anyNumbers(random);
+        const Wide a = anyNumbers<W>(random), b = anyNumbers<W>(random), c = anyNumbers<W>(random);
         const std::pair<const char*, Wide> results[] = {{"sum", a + b},
                                                         {"difference", a - b},
                                                         {"product", a * b},
@@ -77,11 +78,12 @@ TEST(Lanes, ReckonAsOneRealDoes)
                                                         {"minimum", minimum(a, b)},
                                                         {"maximum", maximum(a, b)},
                                                         {"absolute", absolute(a)},
+                                                        {"square root", squareRoot(a)},
                                                         {"clamp", clamp(a, b, c)},
                                                         {"select", select(a < b, a, c)},
                                                         {"select both", select((a > b) & (b >= c), a, c)},
                                                         {"select none", select(!((a > b) | (b > c)), a, c)}};
-        for (int i = 0; i < kLanes; ++i) {
+        for (int i = 0; i < W; ++i) {
             const real x = a.v[i], y = b.v[i], z = c.v[i];
             const real expected[] = {x + y,
                                      x - y,
@@ -91,6 +93,7 @@ TEST(Lanes, ReckonAsOneRealDoes)
                                      minimum(x, y),
                                      maximum(x, y),
                                      absolute(x),
+                                     std::sqrt(x),
                                      clamp(x, y, z),
                                      select(x < y, x, z),
                                      select((x > y) & (y >= z), x, z),
@@ -103,37 +106,73 @@ TEST(Lanes, ReckonAsOneRealDoes)
     }
 }
 
-TEST(Lanes, AnyTellsWhetherSomeLaneHolds)
+TEST(Lanes, OfAnyWidthReckonAsOneRealDoes)
 {
     TRACES("ADR5", "ADR6");
-    Wide a;
-    EXPECT_FALSE(any(a < Wide(real(0))));
-    a.v[kLanes - 1] = -1;
-    EXPECT_TRUE(any(a < Wide(real(0))));
+    expectTheBitsOfOneReal<1>();
+    expectTheBitsOfOneReal<16 / sizeof(real)>();
+    expectTheBitsOfOneReal<32 / sizeof(real)>();
+    expectTheBitsOfOneReal<64 / sizeof(real)>();
+}
+
+template <int W>
+void expectMasksThatHold()
+{
+    Lane<W> a;
+    EXPECT_FALSE(any(a < Lane<W>(real(0)))) << W;
+    a.v[W - 1] = -1;
+    EXPECT_TRUE(any(a < Lane<W>(real(0)))) << W;
+    EXPECT_EQ(bitsOf(a < Lane<W>(real(0))), 1u << (W - 1)) << W;
+    for (const std::uint32_t bits : {0u, 1u, 1u << (W - 1), (1u << W) - 1})
+        EXPECT_EQ(bitsOf(maskOf<W>(bits)), bits);
+}
+
+TEST(Lanes, MasksTellWhereSomethingHolds)
+{
+    TRACES("ADR5", "ADR6");
+    expectMasksThatHold<1>();
+    expectMasksThatHold<16 / sizeof(real)>();
+    expectMasksThatHold<32 / sizeof(real)>();
+    expectMasksThatHold<64 / sizeof(real)>();
+}
+
+template <int W>
+void expectRowsComeOutAgain()
+{
+    std::mt19937 random(W);
+    LaneRow rows[40];
+    for (int i = 0; i < 40; ++i) rows[i] = {real(i), real(100 + i), real(200 + i), real(300 + i)};
+    std::uint32_t at[W];
+    for (int i = 0; i < W; ++i) at[i] = static_cast<std::uint32_t>((7 * i + 3) % 40);
+    FourLanes<W> lanes = gatherRows<W>(rows, at);
+    for (int i = 0; i < W; ++i) {
+        EXPECT_EQ(lanes.x.v[i], real(at[i])) << W;
+        EXPECT_EQ(lanes.y.v[i], real(100 + at[i])) << W;
+        EXPECT_EQ(lanes.z.v[i], real(200 + at[i])) << W;
+        EXPECT_EQ(lanes.w.v[i], real(300 + at[i])) << W;
+    }
+    const std::uint32_t written = static_cast<std::uint32_t>(random());
+    lanes.x += Lane<W>(real(1000));
+    lanes.w += Lane<W>(real(2000));
+    scatterRows<W>(lanes, rows, at, written);
+    for (std::uint32_t i = 0; i < 40; ++i) {
+        bool isWritten = false;
+        for (int lane = 0; lane < W; ++lane)
+            isWritten = isWritten || (at[lane] == i && (written >> lane & 1u) != 0);
+        EXPECT_EQ(rows[i].x, real(i + (isWritten ? 1000 : 0))) << "row " << i << " of width " << W;
+        EXPECT_EQ(rows[i].y, real(100 + i)) << "row " << i << " of width " << W;
+        EXPECT_EQ(rows[i].z, real(200 + i)) << "row " << i << " of width " << W;
+        EXPECT_EQ(rows[i].w, real(300 + i + (isWritten ? 2000 : 0))) << "row " << i << " of width " << W;
+    }
 }
 
 TEST(Lanes, RowsGoInAndComeOutAgain)
 {
     TRACES("ADR5", "ADR6");
-    LaneRow rows[8] = {};
-    for (int i = 0; i < 8; ++i) rows[i] = {real(i), real(10 + i), real(20 + i), real(-1)};
-    const LaneRow* from[kLanes];
-    LaneRow* to[kLanes];
-    for (int i = 0; i < kLanes; ++i) from[i] = &rows[7 - 2 * i], to[i] = i == 1 ? nullptr : &rows[7 - 2 * i];
-    Wide x, y, z;
-    gatherRows(from, x, y, z);
-    for (int i = 0; i < kLanes; ++i) {
-        EXPECT_EQ(x.v[i], real(7 - 2 * i));
-        EXPECT_EQ(y.v[i], real(17 - 2 * i));
-        EXPECT_EQ(z.v[i], real(27 - 2 * i));
-    }
-    scatterRows(x + Wide(real(100)), y + Wide(real(100)), z + Wide(real(100)), to);
-    for (int i = 0; i < 8; ++i) {
-        const bool written = i % 2 == 1 && i != 5 && (7 - i) / 2 < kLanes;
-        EXPECT_EQ(rows[i].x, real(i + (written ? 100 : 0))) << "row " << i;
-        EXPECT_EQ(rows[i].y, real(10 + i + (written ? 100 : 0))) << "row " << i;
-        EXPECT_EQ(rows[i].z, real(20 + i + (written ? 100 : 0))) << "row " << i;
-    }
+    expectRowsComeOutAgain<1>();
+    expectRowsComeOutAgain<16 / sizeof(real)>();
+    expectRowsComeOutAgain<32 / sizeof(real)>();
+    expectRowsComeOutAgain<64 / sizeof(real)>();
 }
 
 }  // namespace

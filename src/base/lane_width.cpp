@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: MIT
+#include <tamias2d/base/lane_width.hpp>
+
+#include <cstdlib>
+#include <string_view>
+
+namespace tamias2d::inline TAMIAS_PRECISION {
+namespace {
+
+// As the environment asks for, if it does and the machine can.
+LaneWidth requested() noexcept
+{
+    const char* const text = std::getenv("TAMIAS_LANES");
+    if (text == nullptr) return LaneWidth::Best;
+    const std::string_view name(text);
+    const LaneWidth width = name == "scalar" ? LaneWidth::Scalar
+                            : name == "16"   ? LaneWidth::Bytes16
+                            : name == "32"   ? LaneWidth::Bytes32
+                            : name == "64"   ? LaneWidth::Bytes64
+                                             : LaneWidth::Best;
+    return hasLanes(width) ? width : LaneWidth::Best;
+}
+
+}  // namespace
+
+bool hasLanes(LaneWidth width) noexcept
+{
+    switch (width) {
+    case LaneWidth::Best:
+    case LaneWidth::Scalar:
+    case LaneWidth::Bytes16:
+        return true;
+#if defined(__x86_64__) || defined(__i386__)
+    case LaneWidth::Bytes32:
+        return __builtin_cpu_supports("avx2") != 0;
+    case LaneWidth::Bytes64:
+        return __builtin_cpu_supports("avx512f") != 0 && __builtin_cpu_supports("avx512dq") != 0 &&
+               __builtin_cpu_supports("avx512vl") != 0;
+#else
+    case LaneWidth::Bytes32:
+    case LaneWidth::Bytes64:
+        return false;
+#endif
+    }
+    return false;
+}
+
+LaneWidth bestLanes() noexcept
+{
+    const LaneWidth asked = requested();
+    if (asked != LaneWidth::Best) return asked;
+    if (hasLanes(LaneWidth::Bytes64)) return LaneWidth::Bytes64;
+    return hasLanes(LaneWidth::Bytes32) ? LaneWidth::Bytes32 : LaneWidth::Bytes16;
+}
+
+}  // namespace tamias2d::inline TAMIAS_PRECISION

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "model/step_context.hpp"
+#include "solver/contact_block.hpp"
+#include "solver/tick_rows.hpp"
+
+#include <cstddef>
+
+namespace tamias2d::inline TAMIAS_PRECISION {
+
+/// What is done with runs of blocks. Compiled for each width with the instructions that have it: all that
+/// these functions use is inline and depends on W, so that no code for one instruction set can stand in for
+/// that of another. They therefore call nothing of the standard library that is not inline too.
+template <int W>
+struct ContactKernels {
+    using Wide = Lane<W>;
+    using Block = ContactBlock<W>;
+    using Source = ContactSource<W>;
+
+    /// Arms, gaps and masses at the poses of `rows`; adds the velocity changes of what the contacts carry to
+    /// rows.steady. Contacts that may bounce and carry nothing are left out of that and listed in `open`,
+    /// which has room for all; returns how many.
+    static std::size_t prepare(Block* blocks, Source* sources, std::size_t count, TickRows& rows,
+                               const StepContext& context, std::uint32_t* open);
+    /// Lists the contacts that an impact may end in this tick in `list`, which has room for all; returns how
+    /// many. No body has a point that is faster than `fastest` [m/s].
+    static std::size_t findApproaching(const Block* blocks, const Source* sources, std::size_t count,
+                                       const TickRows& rows, const StepContext& context, real fastest,
+                                       std::uint32_t* list);
+    /// One pass, in the islands that are `visited`, or in all if that is null; marks in `unrest` those whose
+    /// speeds it changed by more than `restless` [m/s].
+    static void pass(Block* blocks, std::size_t count, TickRows& rows, const std::uint8_t* visited,
+                     std::uint8_t* unrest, real restless);
+    /// The pass that undoes overlaps; returns how many points it held back to the fastest push.
+    static std::uint32_t push(const Block* blocks, Source* sources, std::size_t count, TickRows& rows,
+                              const StepContext& context);
+    static void repay(const Block* blocks, Source* sources, std::size_t count, TickRows& rows,
+                      const StepContext& context);
+};
+
+/// Numbers that 16, 32 and 64 bytes hold.
+inline constexpr int kLanes16 = 16 / sizeof(real), kLanes32 = 32 / sizeof(real), kLanes64 = 64 / sizeof(real);
+
+extern template struct ContactKernels<1>;
+extern template struct ContactKernels<kLanes16>;
+extern template struct ContactKernels<kLanes32>;
+extern template struct ContactKernels<kLanes64>;
+
+}  // namespace tamias2d::inline TAMIAS_PRECISION

@@ -1,0 +1,10 @@
+// SPDX-License-Identifier: MIT
+// The kernels for AVX2.
+
+#include "solver/contact_kernels_of.hpp"
+
+namespace tamias2d::inline TAMIAS_PRECISION {
+
+template struct ContactKernels<kLanes32>;
+
+}  // namespace tamias2d::inline TAMIAS_PRECISION

@@ -1,0 +1,11 @@
+// SPDX-License-Identifier: MIT
+// The kernels for what every machine has.
+
+#include "solver/contact_kernels_of.hpp"
+
+namespace tamias2d::inline TAMIAS_PRECISION {
+
+template struct ContactKernels<1>;
+template struct ContactKernels<kLanes16>;
+
+}  // namespace tamias2d::inline TAMIAS_PRECISION

@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "islands/links.hpp"
+#include "model/contacts.hpp"
+#include "model/motion.hpp"
+#include "model/step_context.hpp"
+#include "solver/tick_rows.hpp"
+
+#include <tamias2d/base/lane_width.hpp>
+#include <tamias2d/model/clamps.hpp>
+
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+namespace tamias2d::inline TAMIAS_PRECISION {
+
+/// The plain contacts of a step, several side by side: no two contacts of one block share a body that moves.
+/// While a contact is in a lane, its impulses and sums are there and those of the ContactTable are of before.
+///
+/// One object for each width; all give the same bits, those of visiting the contacts of a color one by one by
+/// the functions of contacts/rows.hpp [ADR5, ADR6].
+class ContactLanes {
+public:
+    virtual ~ContactLanes() = default;
+
+    /// Gives each contact that may be plain in this step a lane. `islandOf` is by row.
+    virtual void build(const ContactTable& contacts, const MotionTable& motions, const Islands& islands,
+                       const StepContext& context) = 0;
+    virtual bool hasLane(std::uint32_t contact) const = 0;
+    virtual bool isInLane(std::uint32_t contact) const = 0;
+    /// Takes the contact into its lane.
+    virtual void load(std::uint32_t contact, const Contact& row, const MotionTable& motions,
+                      const TickRows& rows) = 0;
+    /// Gives impulses and sums back, and takes the contact out of its lane.
+    virtual void unload(std::uint32_t contact, Contact& row) = 0;
+    virtual void unloadAll(std::vector<Contact>& rows) = 0;
+
+    /// Arms, gaps and masses at the poses of `rows`; adds the velocity changes of what the contacts carry to
+    /// rows.steady. Elastic contacts that carry nothing are no longer plain: they are listed.
+    virtual void prepare(TickRows& rows, const StepContext& context, std::vector<std::uint32_t>& open) = 0;
+    /// Lists the contacts that an impact may end in this tick; none that may is left out. No body has a point
+    /// that is faster than `fastest` [m/s].
+    virtual void findApproaching(const TickRows& rows, const StepContext& context, real fastest,
+                                 std::vector<std::uint32_t>& found) const = 0;
+    virtual int colors() const = 0;
+    /// One pass over a color in the islands that are `visited`, or in all if that is null; marks those whose
+    /// speeds it changed by more than `restless` [m/s].
+    virtual void pass(int color, TickRows& rows, const std::uint8_t* visited, std::uint8_t* unrest,
+                      real restless) = 0;
+    /// The pass that undoes overlaps, and what that costs the velocities.
+    virtual void push(int color, TickRows& rows, const StepContext& context, ClampCounts& clamps) = 0;
+    virtual void repay(int color, TickRows& rows, const StepContext& context) = 0;
+};
+
+/// May the contact be in a lane in this tick? Not if the tick has an impact of it, nothing of it is left to
+/// impacts, and rolling resistance does not make it a case of its own.
+bool isPlain(const Contact& contact);
+
+/// The island of either body.
+inline std::uint32_t islandOf(const Islands& islands, std::uint32_t rowA, std::uint32_t rowB)
+{
+    const std::uint32_t island = islands.islandOf[rowA];
+    return island != Islands::kNone ? island : islands.islandOf[rowB];
+}
+
+/// For the width, which the machine must have.
+std::unique_ptr<ContactLanes> makeContactLanes(LaneWidth width);
+
+}  // namespace tamias2d::inline TAMIAS_PRECISION

@@ -1,0 +1,203 @@
+// SPDX-License-Identifier: MIT
+#include "solver/contact_passes.hpp"
+
+#include "contacts/rows.hpp"
+
+#include <algorithm>
+
+namespace tamias2d::inline TAMIAS_PRECISION {
+namespace {
+
+BodyMotion<real> motionOf(const LaneRow& row)
+{
+    return {{row.x, row.y}, row.z};
+}
+LaneRow rowOf(const BodyMotion<real>& motion, real w)
+{
+    return {motion.velocity.x, motion.velocity.y, motion.spin, w};
+}
+
+void prepareLoose(Contact& c, const MotionTable& motions)
+{
+    prepareContact(c, motions.rows[c.rowA], motions.rows[c.rowB]);
+    for (int i = 0; i < c.count; ++i) c.points[i].wasLoaded = c.points[i].normalImpulse > 0;
+}
+
+}  // namespace
+
+void ContactPasses::begin(ContactTable& contacts, const MotionTable& motions, const Islands& islands,
+                          const StepContext& context)
+{
+    islands_ = &islands;
+    colorEnds_ = contacts.colorEnds;
+    placeOf_.resize(contacts.rows.size());
+    for (std::uint32_t k = 0; k < contacts.order.size(); ++k) placeOf_[contacts.order[k]] = k;
+    loose_.clear();
+    isLoose_.assign(contacts.rows.size(), 0);
+    for (std::uint32_t i = 0; i < contacts.rows.size(); ++i) {
+        Contact& c = contacts.rows[i];
+        c.impacts = 0;
+        c.stepImpulse = {};
+        for (ContactPointRow& point : c.points) point.stepNormal = point.stepTangent = 0;
+        if (c.count > 0) addLoose(i);
+    }
+    lanes_->build(contacts, motions, islands, context);
+}
+
+void ContactPasses::end(ContactTable& contacts)
+{
+    lanes_->unloadAll(contacts.rows);
+}
+
+void ContactPasses::addLoose(std::uint32_t contact)
+{
+    if (isLoose_.size() <= contact) isLoose_.resize(contact + 1, 0);
+    if (isLoose_[contact] != 0) return;
+    isLoose_[contact] = 1;
+    loose_.push_back(contact);
+}
+
+void ContactPasses::take(std::uint32_t contact, ContactTable& contacts)
+{
+    if (lanes_->isInLane(contact)) lanes_->unload(contact, contacts.rows[contact]);
+    addLoose(contact);
+}
+
+void ContactPasses::prepare(ContactTable& contacts, const MotionTable& motions, TickRows& rows,
+                            const StepContext& context)
+{
+    // Back into the lanes with what has become plain again.
+    list_.swap(loose_);
+    loose_.clear();
+    for (const std::uint32_t i : list_) {
+        Contact& c = contacts.rows[i];
+        c.impacts = 0;
+        c.fastestImpact = 0;
+        isLoose_[i] = 0;
+        if (c.count == 0) continue;
+        if (lanes_->hasLane(i) && isPlain(c))
+            lanes_->load(i, c, motions, rows);
+        else
+            addLoose(i);
+    }
+
+    rows.steady.assign(motions.rows.size(), {});
+    list_.clear();
+    lanes_->prepare(rows, context, list_);
+    for (const std::uint32_t i : list_) take(i, contacts);
+    sortLoose(contacts);
+    for (const std::uint32_t i : loose_) {
+        Contact& c = contacts.rows[i];
+        prepareLoose(c, motions);
+        LaneRow &a = rows.steady[c.rowA], &b = rows.steady[c.rowB];
+        BodyMotion<real> steadyA = motionOf(a), steadyB = motionOf(b);
+        addSteady(c, motions.rows[c.rowA], motions.rows[c.rowB], steadyA, steadyB);
+        bool loaded = false;
+        for (int k = 0; k < c.count; ++k) loaded = loaded || c.points[k].wasLoaded;
+        a = rowOf(steadyA, loaded ? real(1) : a.w);
+        b = rowOf(steadyB, loaded ? real(1) : b.w);
+    }
+}
+
+const std::vector<std::uint32_t>& ContactPasses::approaching(const TickRows& rows, const StepContext& context,
+                                                             real fastest)
+{
+    lanes_->findApproaching(rows, context, fastest, list_);
+    list_.insert(list_.end(), loose_.begin(), loose_.end());
+    return list_;
+}
+
+void ContactPasses::loosen(std::uint32_t contact, ContactTable& contacts, const MotionTable& motions)
+{
+    Contact& c = contacts.rows[contact];
+    if (lanes_->isInLane(contact)) {
+        lanes_->unload(contact, c);
+        c.fastestImpact = 0;
+        prepareLoose(c, motions);
+    }
+    addLoose(contact);
+}
+
+void ContactPasses::sortLoose(const ContactTable& contacts)
+{
+    for (std::uint32_t i = static_cast<std::uint32_t>(placeOf_.size()); i < contacts.rows.size(); ++i)
+        placeOf_.push_back(i);
+    std::sort(loose_.begin(), loose_.end(),
+              [this](std::uint32_t a, std::uint32_t b) { return placeOf_[a] < placeOf_[b]; });
+    looseEnds_.clear();
+    std::uint32_t at = 0;
+    for (int color = 0; color < lanes_->colors(); ++color) {
+        while (at < loose_.size() && placeOf_[loose_[at]] < colorEnds_[static_cast<std::size_t>(color)]) ++at;
+        looseEnds_.push_back(at);
+    }
+}
+
+// Color by color: the lanes of it, then what is loose of it; then what has no color to itself.
+template <class OfColor, class OfLoose>
+void ContactPasses::visitColors(OfColor ofColor, OfLoose ofLoose)
+{
+    std::uint32_t at = 0;
+    for (int color = 0; color < lanes_->colors(); ++color) {
+        ofColor(color);
+        for (; at < looseEnds_[static_cast<std::size_t>(color)]; ++at) ofLoose(loose_[at]);
+    }
+    for (; at < loose_.size(); ++at) ofLoose(loose_[at]);
+}
+
+void ContactPasses::solve(ContactTable& contacts, MotionTable& motions, TickRows& rows,
+                          const StepContext& context)
+{
+    const real restless = context.tuning.restless * context.lengthUnit;
+    sortLoose(contacts);
+    for (int pass = 0; pass <= context.tuning.extraPasses; ++pass) {
+        unrest_.swap(unrestBefore_);
+        unrest_.assign(islands_->count(), 0);
+        const std::uint8_t* const visited = pass == 0 ? nullptr : unrestBefore_.data();
+        visitColors([&](int color) { lanes_->pass(color, rows, visited, unrest_.data(), restless); },
+                    [&](std::uint32_t i) {
+                        Contact& c = contacts.rows[i];
+                        const std::uint32_t island = islandOf(*islands_, c.rowA, c.rowB);
+                        if (visited != nullptr && visited[island] == 0) return;
+                        Motion &a = motions.rows[c.rowA], &b = motions.rows[c.rowB];
+                        setVelocity(a, rows.velocities[c.rowA]);
+                        setVelocity(b, rows.velocities[c.rowB]);
+                        if (solveContact(c, a, b, context) > restless) unrest_[island] = 1;
+                        rows.velocities[c.rowA] = velocityRow(a);
+                        rows.velocities[c.rowB] = velocityRow(b);
+                    });
+        if (std::none_of(unrest_.begin(), unrest_.end(), [](std::uint8_t is) { return is != 0; })) break;
+    }
+    for (const std::uint32_t i : loose_) {
+        Contact& c = contacts.rows[i];
+        for (int k = 0; k < c.count; ++k) {
+            ContactPointRow& point = c.points[k];
+            point.stepNormal += point.normalImpulse;
+            point.stepTangent += point.tangentImpulse;
+            c.stepImpulse += point.normalImpulse * c.normal + point.tangentImpulse * perpendicular(c.normal);
+        }
+    }
+}
+
+void ContactPasses::pushApart(ContactTable& contacts, MotionTable& motions, TickRows& rows,
+                              const StepContext& context, ClampCounts& clamps)
+{
+    visitColors([&](int color) { lanes_->push(color, rows, context, clamps); },
+                [&](std::uint32_t i) {
+                    Contact& c = contacts.rows[i];
+                    BodyMotion<real> a = motionOf(rows.pushes[c.rowA]), b = motionOf(rows.pushes[c.rowB]);
+                    pushContact(c, motions.rows[c.rowA], motions.rows[c.rowB], a, b, context, clamps);
+                    rows.pushes[c.rowA] = rowOf(a, 0);
+                    rows.pushes[c.rowB] = rowOf(b, 0);
+                });
+    visitColors([&](int color) { lanes_->repay(color, rows, context); },
+                [&](std::uint32_t i) {
+                    Contact& c = contacts.rows[i];
+                    LaneRow &a = rows.velocities[c.rowA], &b = rows.velocities[c.rowB];
+                    Vec2 velocityA{a.x, a.y}, velocityB{b.x, b.y};
+                    repayPush(c, motions.rows[c.rowA], motions.rows[c.rowB], velocityA, velocityB, context);
+                    a.x = velocityA.x, a.y = velocityA.y;
+                    b.x = velocityB.x, b.y = velocityB.y;
+                });
+}
+
+}  // namespace tamias2d::inline TAMIAS_PRECISION

@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "solver/contact_lanes.hpp"
+
+namespace tamias2d::inline TAMIAS_PRECISION {
+
+/// The contacts of a step as the passes go over them: plain ones in lanes, the others (of a tick with an
+/// impact, elastic and unloaded, rolling, found in mid-step, beyond the colors) loose, one by one. The memory
+/// is kept.
+class ContactPasses {
+public:
+    explicit ContactPasses(LaneWidth lanes) : lanes_(makeContactLanes(lanes)) {}
+
+    /// Takes over the contacts of a step, colored and with manifolds; forgets the sums of the step before.
+    void begin(ContactTable& contacts, const MotionTable& motions, const Islands& islands,
+               const StepContext& context);
+    /// Gives all back.
+    void end(ContactTable& contacts);
+
+    /// Tells that the manifold of a contact is about to change: what is known of it is in the table then.
+    void take(std::uint32_t contact, ContactTable& contacts);
+
+    /// Starts a tick: arms, gaps and masses at the present poses, and the velocity changes of what the
+    /// contacts carry, in rows.steady; what carries a load now is loaded for the tick. They are taken with
+    /// the arms of the present poses: carried over from the tick before, impulses at points that slide would
+    /// change the angular momentum of the whole.
+    void prepare(ContactTable& contacts, const MotionTable& motions, TickRows& rows,
+                 const StepContext& context);
+
+    /// Contacts that an impact may end in this tick. No body has a point that is faster than `fastest` [m/s].
+    const std::vector<std::uint32_t>& approaching(const TickRows& rows, const StepContext& context,
+                                                  real fastest);
+    /// Before an impact acts on or looks at a contact: prepared in the table, and loose for the tick.
+    void loosen(std::uint32_t contact, ContactTable& contacts, const MotionTable& motions);
+
+    /// All passes of a tick, over rows.velocities. One pass settles what rests. An island whose speeds it
+    /// still changed gets further passes, up to a limit, on its own: its neighbors never notice [ADR19].
+    void solve(ContactTable& contacts, MotionTable& motions, TickRows& rows, const StepContext& context);
+    /// Displacements that undo overlaps, in rows.pushes. They leave velocities alone, but for repayPush.
+    void pushApart(ContactTable& contacts, MotionTable& motions, TickRows& rows, const StepContext& context,
+                   ClampCounts& clamps);
+
+private:
+    std::unique_ptr<ContactLanes> lanes_;
+    const Islands* islands_ = nullptr;  // of the step
+    std::vector<std::uint32_t> loose_;  // contacts out of their lanes that have points, in solving order
+    std::vector<std::uint8_t> isLoose_;  // by contact: is it in that list?
+    std::vector<std::uint32_t> placeOf_;  // by contact: in the order of solving
+    std::vector<std::uint32_t> looseEnds_;  // by color of the lanes
+    std::vector<std::uint32_t> colorEnds_;  // of those, in places
+    std::vector<std::uint32_t> list_;
+    std::vector<std::uint8_t> unrest_, unrestBefore_;  // by island
+
+    void addLoose(std::uint32_t contact);
+    void sortLoose(const ContactTable& contacts);
+    template <class OfColor, class OfLoose>
+    void visitColors(OfColor ofColor, OfLoose ofLoose);
+};
+
+}  // namespace tamias2d::inline TAMIAS_PRECISION

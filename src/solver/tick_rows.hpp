@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "math/lane_rows.hpp"
+#include "model/motion.hpp"
+
+#include <vector>
+
+namespace tamias2d::inline TAMIAS_PRECISION {
+
+/// What the lanes read and write of bodies in a tick, four numbers a row, beside each other in memory. All by
+/// row of the MotionTable.
+struct TickRows {
+    std::vector<Position> origins;  // centers at the start of the step   [m]
+    std::vector<LaneRow> poses;  // way of the center since then [m], cosine and sine
+    std::vector<LaneRow> velocities;  // of the center [m/s], spin [rad/s]
+    std::vector<LaneRow> steady;  // Motion::steady [m/s], steadySpin [rad/s]; w is 1 where a load is
+    std::vector<LaneRow> expected;  // accelerations of a flight [m/s^2], [rad/s^2]; w: see fastestPoint
+    std::vector<LaneRow> outside;  // Motion::acceleration [m/s^2]; z, w mean nothing
+    std::vector<LaneRow> pushes;  // displacements, as velocities over a tick [m/s], [rad/s]
+};
+
+inline LaneRow velocityRow(const Motion& m)
+{
+    return {m.velocity.x, m.velocity.y, m.spin, 0};
+}
+inline void setVelocity(Motion& m, const LaneRow& row)
+{
+    m.velocity = {row.x, row.y};
+    m.spin = row.z;
+}
+inline LaneRow poseRow(const Motion& m, Position origin)
+{
+    const Vec2 way = toVec2(m.center - origin);
+    return {way.x, way.y, m.rotation.c, m.rotation.s};
+}
+
+}  // namespace tamias2d::inline TAMIAS_PRECISION
