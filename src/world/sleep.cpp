@@ -210,7 +210,8 @@ bool World::Impl::sleepNow(std::uint32_t slot)
     const auto bodyOf = [&](std::uint32_t shape) { return shapes.rows[shape].body; };
     for (const Contact& c : contacts.rows) {
         const std::uint32_t a = bodyOf(c.shapeA), b = bodyOf(c.shapeB);
-        if (isBond(c) && bodies.rows[a].canMove() && bodies.rows[b].canMove()) sets.join(a, b);
+        const bool takePart = bodies.rows[a].enabled && bodies.rows[b].enabled;
+        if (takePart && isBond(c) && bodies.rows[a].canMove() && bodies.rows[b].canMove()) sets.join(a, b);
     }
     const std::uint32_t leader = sets.leader(slot);
     std::vector<std::uint32_t> members;
@@ -250,10 +251,11 @@ void World::Impl::storeContacts()
     std::size_t kept = 0;
     for (std::size_t i = 0; i < contacts.rows.size(); ++i) {
         const Contact& c = contacts.rows[i];
-        const std::uint32_t a = bodies.rows[shapes.rows[c.shapeA].body].group,
-                            b = bodies.rows[shapes.rows[c.shapeB].body].group;
-        const std::uint32_t group = a != BodyRow::kNoGroup ? a : b;
-        if (group == BodyRow::kNoGroup) {
+        const BodyRow &a = bodies.rows[shapes.rows[c.shapeA].body],
+                      &b = bodies.rows[shapes.rows[c.shapeB].body];
+        const std::uint32_t group = a.group != BodyRow::kNoGroup ? a.group : b.group;
+        // With a body that has just been disabled it ends in the next step, whoever sleeps.
+        if (group == BodyRow::kNoGroup || !a.enabled || !b.enabled) {
             if (kept != i) contacts.rows[kept] = c;
             ++kept;
         } else if (c.count > 0 || c.touching) {

@@ -304,6 +304,27 @@ TEST(Sleep, ComesToAWholePileWithinTwelveSeconds)
     }
 }
 
+// It may be put to sleep before the step in which that contact ends.
+TEST(Sleep, KeepsNoContactWithABodyThatWasDisabled)
+{
+    TRACES("R7", "ADR25");
+    World world;
+    addGround(world, 0);
+    Body below = addBox(world, {0, 0.5}, 1, 1), above = addBox(world, {0, 1.5}, 1, 1);
+    for (int i = 0; i < 20; ++i) world.step();
+    ASSERT_TRUE(world.touching(below.id(), above.id()));
+    above.setEnabled(false);
+    ASSERT_TRUE(below.sleep());
+    world.step();
+    EXPECT_FALSE(world.touching(below.id(), above.id()));
+    EXPECT_EQ(world.events().ends.size(), 1u);
+    EXPECT_TRUE(below.isAsleep());
+    for (const ContactView& c : world.contacts()) {
+        EXPECT_NE(c.bodyA, above.id());
+        EXPECT_NE(c.bodyB, above.id());
+    }
+}
+
 TEST(Sleep, GivesTheSameBitsEachTime)
 {
     TRACES("ADR6", "ADR25");
