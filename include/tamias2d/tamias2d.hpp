@@ -17,9 +17,11 @@
 #include <tamias2d/model/clamps.hpp>
 #include <tamias2d/model/defs.hpp>
 #include <tamias2d/model/events.hpp>
+#include <tamias2d/model/joint_defs.hpp>
 #include <tamias2d/model/material.hpp>
 #include <tamias2d/model/tuning.hpp>
 #include <tamias2d/queries/queries.hpp>
 #include <tamias2d/world/fixed_stepper.hpp>
+#include <tamias2d/world/joint.hpp>
 #include <tamias2d/world/report.hpp>
 #include <tamias2d/world/world.hpp>

@@ -3,6 +3,10 @@
 
 #include "contacts/mixing.hpp"
 
+#include <tamias2d/math/scalar.hpp>
+
+#include <algorithm>
+
 namespace tamias2d::inline TAMIAS_PRECISION {
 namespace {
 
@@ -44,6 +48,12 @@ bool isBefore(const Contact& contact, const ShapePair& pair)
     return contact.shapeA != pair.a ? contact.shapeA < pair.a : contact.shapeB < pair.b;
 }
 
+bool isUncoupled(const UncoupledPairs& pairs, std::uint32_t a, std::uint32_t b)
+{
+    if (pairs.empty()) return false;
+    return std::binary_search(pairs.begin(), pairs.end(), std::pair{minimum(a, b), maximum(a, b)});
+}
+
 }  // namespace
 
 bool mayCollide(const ContactWorld& world, const ShapePair& pair)
@@ -51,7 +61,8 @@ bool mayCollide(const ContactWorld& world, const ShapePair& pair)
     const ShapeRow& a = world.shapes.rows[pair.a];
     const ShapeRow& b = world.shapes.rows[pair.b];
     if (!shouldCollide(a.def.filter, b.def.filter)) return false;
-    return world.bodies.rows[a.body].canMove() || world.bodies.rows[b.body].canMove();
+    const bool canMove = world.bodies.rows[a.body].canMove() || world.bodies.rows[b.body].canMove();
+    return canMove && !isUncoupled(world.uncoupled, a.body, b.body);
 }
 
 Contact makeContact(const ContactWorld& world, const ShapePair& pair)

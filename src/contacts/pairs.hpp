@@ -4,6 +4,7 @@
 #include "broadphase/sweep.hpp"
 #include "model/bodies.hpp"
 #include "model/contacts.hpp"
+#include "model/joints.hpp"
 #include "model/motion.hpp"
 #include "model/shapes.hpp"
 
@@ -16,6 +17,7 @@ struct ContactWorld {
     const MotionTable& motions;
     MixingRule frictionRule, restitutionRule;
     real restGap;   ///< over the smaller width   [1]
+    const UncoupledPairs& uncoupled;   ///< bodies that a joint keeps from colliding
 };
 
 /// May these two shapes push each other?

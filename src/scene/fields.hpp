@@ -4,6 +4,7 @@
 #pragma once
 
 #include <tamias2d/model/defs.hpp>
+#include <tamias2d/model/joint_defs.hpp>
 #include <tamias2d/scene/scene.hpp>
 
 #include <utility>
@@ -147,6 +148,103 @@ void fieldsOf(const Segment*, Visit visit)
     visit("a", &Segment::a);
     visit("b", &Segment::b);
     visit("radius", &Segment::radius);
+}
+
+template <class Visit>
+void fieldsOf(const JointLimits*, Visit visit)
+{
+    visit("lower", &JointLimits::lower);
+    visit("upper", &JointLimits::upper);
+}
+
+template <class Visit>
+void fieldsOf(const JointMotor*, Visit visit)
+{
+    visit("speed", &JointMotor::speed);
+    visit("maxForce", &JointMotor::maxForce);
+}
+
+template <class Visit>
+void fieldsOf(const JointSpring*, Visit visit)
+{
+    visit("frequency", &JointSpring::frequency);
+    visit("dampingRatio", &JointSpring::dampingRatio);
+    visit("rest", &JointSpring::rest);
+}
+
+template <class Visit>
+void fieldsOf(const RevoluteJoint*, Visit visit)
+{
+    visit("anchorA", &RevoluteJoint::anchorA);
+    visit("anchorB", &RevoluteJoint::anchorB);
+    visit("referenceAngle", &RevoluteJoint::referenceAngle);
+    visit("limits", &RevoluteJoint::limits);
+    visit("motor", &RevoluteJoint::motor);
+    visit("spring", &RevoluteJoint::spring);
+}
+
+template <class Visit>
+void fieldsOf(const DistanceJoint*, Visit visit)
+{
+    visit("anchorA", &DistanceJoint::anchorA);
+    visit("anchorB", &DistanceJoint::anchorB);
+    visit("length", &DistanceJoint::length);
+    visit("limits", &DistanceJoint::limits);
+    visit("motor", &DistanceJoint::motor);
+    visit("spring", &DistanceJoint::spring);
+}
+
+template <class Visit>
+void fieldsOf(const PrismaticJoint*, Visit visit)
+{
+    visit("anchorA", &PrismaticJoint::anchorA);
+    visit("anchorB", &PrismaticJoint::anchorB);
+    visit("axis", &PrismaticJoint::axis);
+    visit("referenceAngle", &PrismaticJoint::referenceAngle);
+    visit("limits", &PrismaticJoint::limits);
+    visit("motor", &PrismaticJoint::motor);
+    visit("spring", &PrismaticJoint::spring);
+}
+
+template <class Visit>
+void fieldsOf(const WeldJoint*, Visit visit)
+{
+    visit("anchorA", &WeldJoint::anchorA);
+    visit("anchorB", &WeldJoint::anchorB);
+    visit("referenceAngle", &WeldJoint::referenceAngle);
+    visit("linear", &WeldJoint::linear);
+    visit("angular", &WeldJoint::angular);
+}
+
+template <class Visit>
+void fieldsOf(const TargetJoint*, Visit visit)
+{
+    visit("anchor", &TargetJoint::anchor);
+    visit("target", &TargetJoint::target);
+    visit("angle", &TargetJoint::angle);
+    visit("frequency", &TargetJoint::frequency);
+    visit("dampingRatio", &TargetJoint::dampingRatio);
+    visit("maxForce", &TargetJoint::maxForce);
+    visit("maxTorque", &TargetJoint::maxTorque);
+}
+
+template <class Visit>
+void fieldsOf(const JointBreaking*, Visit visit)
+{
+    visit("force", &JointBreaking::force);
+    visit("torque", &JointBreaking::torque);
+    visit("error", &JointBreaking::error);
+}
+
+/// All but the bodies and the kind.
+template <class Visit>
+void fieldsOf(const JointDef*, Visit visit)
+{
+    visit("name", &JointDef::name);
+    visit("collideConnected", &JointDef::collideConnected);
+    visit("enabled", &JointDef::enabled);
+    visit("breaking", &JointDef::breaking);
+    visit("userData", &JointDef::userData);
 }
 
 /// Those of "run"; the rest of a SceneInfo has keys at the top.

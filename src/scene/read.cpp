@@ -5,6 +5,7 @@
 
 #include "scene/builtin/builtins.hpp"
 #include "scene/geometry_text.hpp"
+#include "scene/joints_text.hpp"
 #include "scene/laws_text.hpp"
 #include "scene/parse.hpp"
 #include "scene/read_values.hpp"
@@ -106,6 +107,28 @@ void readWorldLaw(const Node& node, World& world, const std::vector<BodyId>& bod
     });
 }
 
+void readJointOf(const Node& node, World& world, const std::vector<BodyId>& bodies)
+{
+    ObjectReader in(node);
+    const auto body = [&](const char* key) {
+        const std::optional<Node> child = in.find(key);
+        if (!child) node.refuse(std::string("must have the key \"") + key + "\"");
+        return findBodyFor(*child, world, bodies).id();
+    };
+    const BodyId bodyA = body("bodyA"), bodyB = body("bodyB");
+    JointText joint = readJoint(in);
+    in.finish();
+    joint.def.bodyA = bodyA;
+    joint.def.bodyB = bodyB;
+    try {
+        world.createJoint(joint.def);
+    } catch (const InputError& error) {
+        const bool ofKind = error.field.find("Joint.") != std::string::npos;
+        if (ofKind) node.child(joint.kind).refuse(error);
+        node.refuse(error);
+    }
+}
+
 void readRun(const Node& node, SceneInfo& info)
 {
     readValue(node, info);
@@ -160,6 +183,7 @@ Scene readDocument(const Node& top, const SceneReadOptions& options)
     if (builtin) tryAt(top.child("builtin"), [&] { builtin->build(*scene.world); });
     std::vector<BodyId> bodies = scene.world->bodies();
     in.each("bodies", [&](const Node& body) { bodies.push_back(readBody(body, *scene.world, options)); });
+    in.each("joints", [&](const Node& joint) { readJointOf(joint, *scene.world, bodies); });
     in.each("laws", [&](const Node& law) { readWorldLaw(law, *scene.world, bodies, options); });
     in.finish();
     return scene;

@@ -2,6 +2,7 @@
 #include <tamias2d/scene/write.hpp>
 
 #include "scene/geometry_text.hpp"
+#include "scene/joints_text.hpp"
 #include "scene/laws_text.hpp"
 #include "scene/pretty.hpp"
 
@@ -71,6 +72,12 @@ std::string writeScene(const World& world, const SceneInfo& info, const SceneWri
     for (const BodyId id : world.bodies()) {
         places.emplace(id, places.size());
         out["bodies"].push_back(bodyJson(handles.body(id), options.everything));
+    }
+    for (const JointId id : world.joints()) {
+        const JointDef def = handles.joint(id).definition();
+        OrderedJson joint = {{"bodyA", places.at(def.bodyA)}, {"bodyB", places.at(def.bodyB)}};
+        joint.update(jointJson(def, options.everything));
+        out["joints"].push_back(joint);
     }
     const OrderedJson laws = lawsJson(world, places);
     if (!laws.empty()) out["laws"] = laws;

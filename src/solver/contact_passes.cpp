@@ -145,7 +145,7 @@ void ContactPasses::visitColors(OfColor ofColor, OfLoose ofLoose)
 }
 
 void ContactPasses::solve(ContactTable& contacts, MotionTable& motions, TickRows& rows,
-                          const StepContext& context)
+                          const StepContext& context, const JointWorld* world, JointSystem* joints)
 {
     const real restless = context.tuning.restless * context.lengthUnit;
     sortLoose(contacts);
@@ -153,6 +153,7 @@ void ContactPasses::solve(ContactTable& contacts, MotionTable& motions, TickRows
         unrest_.swap(unrestBefore_);
         unrest_.assign(islands_->count(), 0);
         const std::uint8_t* const visited = pass == 0 ? nullptr : unrestBefore_.data();
+        if (joints != nullptr) passOverJoints(*world, *joints, restless, visited, rows.velocities, unrest_);
         visitColors([&](int color) { lanes_->pass(color, rows, visited, unrest_.data(), restless); },
                     [&](std::uint32_t i) {
                         Contact& c = contacts.rows[i];

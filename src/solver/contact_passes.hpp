@@ -2,6 +2,7 @@
 #pragma once
 
 #include "solver/contact_lanes.hpp"
+#include "solver/joint_passes.hpp"
 
 namespace tamias2d::inline TAMIAS_PRECISION {
 
@@ -36,7 +37,9 @@ public:
 
     /// All passes of a tick, over rows.velocities. One pass settles what rests. An island whose speeds it
     /// still changed gets further passes, up to a limit, on its own: its neighbors never notice [ADR19].
-    void solve(ContactTable& contacts, MotionTable& motions, TickRows& rows, const StepContext& context);
+    /// Each pass goes over the joints first, if there are any.
+    void solve(ContactTable& contacts, MotionTable& motions, TickRows& rows, const StepContext& context,
+               const JointWorld* world = nullptr, JointSystem* joints = nullptr);
     /// Displacements that undo overlaps, in rows.pushes. They leave velocities alone, but for repayPush.
     void pushApart(ContactTable& contacts, MotionTable& motions, TickRows& rows, const StepContext& context,
                    ClampCounts& clamps);

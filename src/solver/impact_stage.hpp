@@ -5,6 +5,7 @@
 #include "contacts/pairs.hpp"
 #include "forces/accelerations.hpp"
 #include "islands/links.hpp"
+#include "joints/tick.hpp"
 #include "model/contacts.hpp"
 #include "model/sleep.hpp"
 #include "model/step_context.hpp"
@@ -37,6 +38,8 @@ struct ImpactStage {
     ContactTable& contacts;
     ContactPasses& passes;
     TickRows& rows;
+    JointTable& joints;
+    JointSystem& system;
     std::vector<SweepBox>& boxes;          // of the broad phase: grown for bodies thrown out of theirs
     std::vector<ImpactKick>& kicks;        // by row
     std::vector<ImpactRecord>& records;

@@ -56,12 +56,27 @@ void bringIn(ImpactStage& stage, Contact c)
     stage.contacts.rows.push_back(c);
 }
 
+// Grounds that joints hold the sleepers to.
+void bringInPartners(ImpactStage& stage, const SleepGroup& sleepers, const StepContext& context)
+{
+    for (const std::uint32_t body : sleepers.bodies) {
+        for (const std::uint32_t slot : stage.joints.ofBody[body]) {
+            const JointRow& joint = stage.joints.rows[slot];
+            const std::uint32_t other = joint.bodyA == body ? joint.bodyB : joint.bodyA;
+            const bool isMissing = stage.motions.rowOf[other] == MotionTable::kNone;
+            if (joint.acts() && isMissing && stage.world.bodies.rows[other].enabled)
+                enter(stage, other, context);
+        }
+    }
+}
+
 }  // namespace
 
 void rouse(ImpactStage& stage, std::uint32_t group, const StepContext& context, double time)
 {
     const SleepGroup& sleepers = stage.asleep.groups[group];
     MotionTable& motions = stage.motions;
+    const std::size_t first = motions.rows.size();
     const std::uint32_t island = stage.islands.count();
     stage.islands.groundOf.push_back(Islands::kNone);
     stage.islands.sizeOf.push_back(static_cast<std::uint32_t>(sleepers.bodies.size()));
@@ -86,6 +101,8 @@ void rouse(ImpactStage& stage, std::uint32_t group, const StepContext& context, 
         const bool onA = !motions.rows[c.rowA].moves(), onB = !motions.rows[c.rowB].moves();
         if (onA || onB) stage.islands.groundOf[island] = onA ? c.rowA : c.rowB;
     }
+    bringInPartners(stage, sleepers, context);
+    bringInJoints(stage.joints, stage.world.bodies, motions, stage.system, first);
     for (const std::uint32_t body : sleepers.bodies) {
         const std::uint32_t row = motions.rowOf[body];
         Motion& m = motions.rows[row];

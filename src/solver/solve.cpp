@@ -6,9 +6,59 @@
 
 #include "solver/calm.hpp"
 #include "solver/integrate.hpp"
+#include "solver/joint_passes.hpp"
 
 namespace tamias2d::inline TAMIAS_PRECISION {
 namespace {
+
+// What joints carry, beside what contacts do; what is tied to a loaded body is loaded, too.
+void addSteadyOfJoints(SolverStage& stage, TickRows& lanes)
+{
+    std::vector<Motion>& rows = stage.motions.rows;
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+        rows[i].steady = {lanes.steady[i].x, lanes.steady[i].y};
+        rows[i].steadySpin = lanes.steady[i].z;
+        rows[i].loaded = lanes.steady[i].w > 0;
+    }
+    addSteadyJoints(stage.joints, stage.system, rows);
+    spreadLoad(stage.system, rows);
+    for (std::size_t i = 0; i < rows.size(); ++i)
+        lanes.steady[i] = {rows[i].steady.x, rows[i].steady.y, rows[i].steadySpin,
+                           rows[i].loaded ? real(1) : real(0)};
+}
+
+// What the passes made of the velocities, for what joints tie.
+void storeJointed(SolverStage& stage, const TickRows& lanes)
+{
+    for (std::size_t i = 0; i < stage.motions.rows.size(); ++i)
+        if (stage.system.groupOf[i] != JointSystem::kNone)
+            setVelocity(stage.motions.rows[i], lanes.velocities[i]);
+}
+
+// The joints at their new places: for what is halved, the second half of what they carry turns with them.
+void turnJoints(SolverStage& stage, std::vector<TickChange>& changes, const StepContext& context)
+{
+    std::vector<Motion>& rows = stage.motions.rows;
+    const auto note = [&](real sign) {
+        for (std::size_t i = 0; i < rows.size(); ++i) {
+            if (!stage.system.isHalved(i)) continue;
+            changes[i].velocity += sign / 2 * rows[i].steady;
+            changes[i].spin += sign / 2 * rows[i].steadySpin;
+        }
+    };
+    measureJoints(stage.joints, stage.world.bodies, stage.motions, stage.system);
+    note(-1);
+    turnSteadyJoints(stage.system, rows, context);
+    note(1);
+}
+
+void markHits(SolverStage& stage)
+{
+    const std::vector<ImpactKick>& kicks = stage.scratch.kicks;
+    stage.system.hit.assign(stage.motions.rows.size(), 0);
+    for (std::size_t i = 0; i < kicks.size(); ++i)
+        stage.system.hit[i] = kicks[i].before != Vec2{} || kicks[i].after != Vec2{};
+}
 
 // The second kick of a force that varies: taken at the new place and at the velocity expected there,
 // so that forces that depend on velocity are second order too.
@@ -67,10 +117,11 @@ SolverCounts solve(SolverStage& stage, const StepContext& context)
     std::vector<Motion>& rows = stage.motions.rows;
     TickRows& lanes = scratch.rows;
     std::uint32_t groups = 0;
-    ImpactStage impacts{stage.world,   stage.field,      stage.resting,   stage.asleep,  stage.islands,
-                        stage.motions, stage.contacts,   scratch.passes,  lanes,         stage.boxes,
-                        scratch.kicks, stage.impacts,    scratch.impacts, counts.clamps, counts.repaired,
-                        groups,        counts.lawFaults, stage.roused};
+    ImpactStage impacts{stage.world,     stage.field,   stage.resting,    stage.asleep,
+                        stage.islands,   stage.motions, stage.contacts,   scratch.passes,
+                        lanes,           stage.joints,  stage.system,     stage.boxes,
+                        scratch.kicks,   stage.impacts, scratch.impacts,  counts.clamps,
+                        counts.repaired, groups,        counts.lawFaults, stage.roused};
 
     lanes.origins.resize(rows.size());
     lanes.poses.resize(rows.size());
@@ -108,13 +159,17 @@ SolverCounts solve(SolverStage& stage, const StepContext& context)
         span.next("swept pairs");
         resweepForTick(impacts, scratch.ways, context);
         span.next("warm start");
+        bool hasJoints = !stage.system.empty();
+        if (hasJoints) guardLightBodies(stage.joints, stage.world.bodies, stage.system, rows, context);
         scratch.passes.prepare(stage.contacts, stage.motions, lanes, context);
+        if (hasJoints) addSteadyOfJoints(stage, lanes);
         startTick(impacts, context, tick, lanes);
         span.next("impacts");
         applyImpacts(impacts, context, tick);
         scratch.changes.resize(rows.size());  // for those that came in
         scratch.ways.resize(rows.size());
         if (!stage.roused.empty()) varies = stage.field.varies(stage.motions, stage.world.bodies);
+        hasJoints = !stage.system.empty();  // those of sleepers that were hit, too
         counts.impactTime += watch.lap();
 
         // First kick, contacts.
@@ -124,25 +179,43 @@ SolverCounts solve(SolverStage& stage, const StepContext& context)
             scratch.changes[i] = {-rows[i].velocity, -rows[i].spin};
             lanes.velocities[i] = velocityRow(rows[i]);
         }
-        scratch.passes.solve(stage.contacts, stage.motions, lanes, context);
+        const JointWorld jointWorld{stage.joints, stage.world.bodies, stage.motions, stage.islands, context};
+        if (hasJoints) {
+            startJoints(stage.joints, stage.world.bodies, stage.motions, context, stage.system);
+        }
+        scratch.passes.solve(stage.contacts, stage.motions, lanes, context, &jointWorld, &stage.system);
+        if (hasJoints) {
+            flattenJoints(jointWorld, stage.system, lanes.velocities);
+            storeJointed(stage, lanes);
+            tallyJoints(stage.joints, stage.system, rows);
+        }
         if (tick <= 1) lanes.pushes.assign(rows.size(), {});
         if (tick == 0) scratch.passes.pushApart(stage.contacts, stage.motions, lanes, context, counts.clamps);
 
         span.next("drift");
-        // Drift, second kick: together, unless forces depend on where all bodies are in between.
+        // Drift, second kick: together, unless forces or joints depend on where all bodies are in between.
+        const bool together = !varies && !hasJoints;
         for (std::size_t i = 0; i < rows.size(); ++i) {
             driftRow(scratch, i, rows[i], context);
-            if (!varies) kickAfterDrift(scratch, i, rows[i], context, counts);
+            if (together) kickAfterDrift(scratch, i, rows[i], context, counts);
         }
-        if (varies) {
+        if (hasJoints) turnJoints(stage, scratch.changes, context);
+        if (varies)
             counts.lawFaults += accelerateAfterDrift(stage, context, time + context.dt / context.ticks);
-            for (std::size_t i = 0; i < rows.size(); ++i)
-                kickAfterDrift(scratch, i, rows[i], context, counts);
+        for (std::size_t i = 0; i < rows.size() && !together; ++i)
+            kickAfterDrift(scratch, i, rows[i], context, counts);
+        if (hasJoints) {
+            span.next("joints");
+            settleJoints(stage.system, rows, scratch.changes, context);
+            markHits(stage);
+            tallyJoints(stage.joints, stage.system, rows);
+            keepJoints(stage.joints, stage.system, context);
         }
         span.next("calm");
         calm(rows, scratch.changes, stage.islands, scratch.calmRows, context);
         counts.solveTime += watch.lap();
     }
+    if (!stage.system.empty()) releaseGuard(stage.world.bodies, rows);
     scratch.passes.end(stage.contacts);
     for (const std::uint32_t i : scratch.impacts.swept) keepClearance(stage.contacts.rows[i], scratch.ways);
     return counts;

@@ -5,6 +5,7 @@
 #include "contacts/rows.hpp"
 #include "forces/accelerations.hpp"
 #include "islands/links.hpp"
+#include "joints/tick.hpp"
 #include "solver/calm.hpp"
 #include "solver/contact_passes.hpp"
 #include "solver/impacts.hpp"
@@ -34,6 +35,8 @@ struct SolverStage {
     Islands& islands;
     MotionTable& motions;
     ContactTable& contacts;
+    JointTable& joints;
+    JointSystem& system;                  ///< the joints at work, measured where the bodies are
     std::vector<SweepBox>& boxes;
     std::vector<ImpactRecord>& impacts;   ///< filled
     std::vector<std::uint32_t>& roused;   ///< filled: sleeping groups that woke in mid-step

@@ -11,6 +11,7 @@ BodyId World::Impl::createBody(const BodyDef& def)
 {
     const BodyId body = bodies.ids.take();
     if (body.index == bodies.rows.size()) bodies.rows.emplace_back();
+    if (body.index == joints.ofBody.size()) joints.ofBody.emplace_back();
     BodyRow& b = bodies.rows[body.index];
     b = {};
     b.type = def.type;
@@ -55,6 +56,7 @@ void World::Impl::destroyBody(BodyId body)
 {
     disturb(body.index);
     while (!row(body).shapes.empty()) removeShape(row(body).shapes.back());
+    while (!joints.ofBody[body.index].empty()) destroyJoint(joints.ofBody[body.index].back());
     tally(row(body), false);
     if (row(body).takesPart) partsAreSorted = false;
     std::erase_if(laws, [&](const PlacedLaw& placed) {

@@ -4,6 +4,7 @@
 
 #include "contacts/rows.hpp"
 #include "contacts/update.hpp"
+#include "joints/tick.hpp"
 #include "world/impl.hpp"
 
 #include <algorithm>
@@ -38,8 +39,10 @@ void gatherMotions(const BodyTable& bodies, bool all, MotionTable& motions)
 
 // The warm start of the step before, for the prediction of where bodies go.
 void predictSteady(const ContactTable& contacts, const BodyTable& bodies, const ShapeTable& shapes,
-                   MotionTable& motions, const StepContext& context)
+                   const JointTable& joints, const JointSystem& system, MotionTable& motions,
+                   const StepContext& context)
 {
+    addSteadyJoints(joints, system, motions.rows);
     Motion still;
     for (const Contact& c : contacts.rows) {
         const std::uint32_t bodyA = shapes.rows[c.shapeA].body, bodyB = shapes.rows[c.shapeB].body;
@@ -94,8 +97,34 @@ void sortUnique(std::vector<std::uint32_t>& slots)
 
 }  // namespace
 
+// The other bodies of the joints of those that take part: grounds get a row, sleepers wake.
+void World::Impl::gatherPartners()
+{
+    met.clear();
+    std::vector<std::uint32_t>& still = roused;
+    still.clear();
+    for (std::uint32_t row = 0; row < motions.parts; ++row) {
+        for (const std::uint32_t slot : joints.ofBody[motions.rows[row].body]) {
+            const JointRow& joint = joints.rows[slot];
+            if (!joint.acts()) continue;
+            const std::uint32_t other = joint.bodyA == motions.rows[row].body ? joint.bodyB : joint.bodyA;
+            const BodyRow& b = bodies.rows[other];
+            if (!b.enabled || motions.rowOf[other] != MotionTable::kNone) continue;
+            if (!b.isAsleep()) {
+                still.push_back(other);
+            } else if (!asleep.groups[b.group].isMet) {
+                asleep.groups[b.group].isMet = true;
+                met.push_back(b.group);
+            }
+        }
+    }
+    sortUnique(still);
+    for (const std::uint32_t slot : still) addRow(motions, bodies, slot);
+}
+
 std::uint32_t World::Impl::gather(const ForceField& forces, const StepContext& context)
 {
+    listUncoupled();
     const ContactWorld world = contactWorld();
     std::uint32_t faults = 0;
     for (;;) {
@@ -105,7 +134,13 @@ std::uint32_t World::Impl::gather(const ForceField& forces, const StepContext& c
             partsAreSorted = true;
         }
         gatherMotions(bodies, forces.gravitationConstant > 0, motions);
-        predictSteady(contacts, bodies, shapes, motions, context);
+        gatherPartners();
+        if (!met.empty()) {
+            for (const std::uint32_t group : met) wakeGroup(group);
+            continue;
+        }
+        gatherJoints(joints, bodies, motions, jointSystem);
+        predictSteady(contacts, bodies, shapes, joints, jointSystem, motions, context);
         faults = accelerate(motions, bodies, forces, time);
         sweepBoxes(bodies, shapes, motions, context, boxes);
 

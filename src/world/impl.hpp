@@ -10,8 +10,10 @@
 #include "forces/accelerations.hpp"
 #include "graph/coloring.hpp"
 #include "islands/links.hpp"
+#include "joints/tick.hpp"
 #include "model/bodies.hpp"
 #include "model/contacts.hpp"
+#include "model/joints.hpp"
 #include "model/motion.hpp"
 #include "model/shapes.hpp"
 #include "model/sleep.hpp"
@@ -62,7 +64,8 @@ struct GraphScratch {
 /// All that one World owns.
 struct World::Impl {
     explicit Impl(const WorldDef& def, std::uint32_t number)
-        : id(number), settings(def), bodies(number), shapes(number), lawIds(number), solverScratch(def.lanes)
+        : id(number), settings(def), bodies(number), shapes(number), joints(number), lawIds(number),
+          solverScratch(def.lanes)
     {
     }
 
@@ -76,6 +79,8 @@ struct World::Impl {
     ContactTable contacts;          // of bodies that take part
     bool contactsAreSorted = true;
     void sortContacts();
+    JointTable joints;
+    bool uncoupledIsStale = false;
     SleepTable asleep;
     bool lawsHeldSleepers = false;  // when they were last asked
     IdPool<ForceLawId> lawIds;
@@ -93,6 +98,8 @@ struct World::Impl {
     StepReport report;
     std::vector<TouchEvent> begins, ends, endsOfDestroyed;
     std::vector<HitEvent> hits;
+    std::vector<BreakEvent> breaks;
+    double stepTime = 0;                    // [s]
 
     Profile profile;
 
@@ -110,6 +117,8 @@ struct World::Impl {
     GraphScratch graph;
     std::vector<ImpactRecord> impacts;
     SolverScratch solverScratch;
+    JointSystem jointSystem;
+    UncoupledPairs uncoupled;
 
     ForceField field() const
     {
@@ -122,7 +131,8 @@ struct World::Impl {
                 motions,
                 settings.frictionMixing,
                 settings.restitutionMixing,
-                settings.tuning.restGap};
+                settings.tuning.restGap,
+                uncoupled};
     }
 
     BodyRow& row(BodyId body) { return bodies.rows[body.index]; }
@@ -134,6 +144,8 @@ struct World::Impl {
     ShapeId createShape(BodyId body, const ShapeDef& def);
     void shapeAdded(BodyRow& body, std::uint32_t slot);
     void destroyShape(std::uint32_t slot);
+    JointId createJoint(const JointDef& def);
+    void destroyJoint(std::uint32_t slot);
     void removeShape(std::uint32_t slot);
     void makeMassStale(std::uint32_t bodySlot);
     void updateMass(std::uint32_t bodySlot);
@@ -147,6 +159,9 @@ struct World::Impl {
     void endContacts(std::uint32_t shapeSlot);
     TouchEvent touchEvent(const Contact& contact) const;
     ContactView view(const Contact& contact) const;
+
+    // world/joint_checks.cpp
+    Complaint check(const JointDef& def) const;
 
     // world/parts.cpp: who takes part in steps, and what holds still.
     void tally(const BodyRow& body, bool comes);
@@ -184,13 +199,19 @@ struct World::Impl {
     void fallAsleep(const StepContext& context);
     void storeContacts();
 
+    // world/joint_life.cpp
+    void disturbJoint(std::uint32_t jointSlot);
+    void listUncoupled();
+
     // world/gather.cpp: the bodies of a step, and who may meet.
+    void gatherPartners();
     std::uint32_t gather(const ForceField& forces, const StepContext& context);
 
     // world/validate.cpp
     void validate(Faults& faults) const;
 
     // world/step.cpp
+    void breakJoints();
     StepReport step(double dt, int substeps);
     void rememberLeavers();
     void setAside();
@@ -205,6 +226,8 @@ Complaint checkMass(std::string_view field, std::string value, const MassSum& ma
 Complaint check(const BodyDef& def, real lengthUnit);
 Complaint check(const ShapeDef& def, real lengthUnit);
 Complaint check(const LastingForce& force, real lengthUnit);
+Complaint check(const JointKind& kind, real lengthUnit);
+Complaint check(const JointBreaking& breaking);
 Complaint checkPosition(std::string_view field, Position position, real lengthUnit);
 Complaint checkVelocity(std::string_view field, Vec2 velocity, real lengthUnit);
 Complaint checkSpin(std::string_view field, real spin);

@@ -29,6 +29,21 @@ real paceOf(const BodyRow& b, real extent, double dt)
     return static_cast<real>((length(b.center - b.previousCenter) + turn * static_cast<double>(extent)) / dt);
 }
 
+template <class Kind>
+concept HasMotor = requires(Kind k) { k.motor->speed; };
+
+bool hasRunningMotor(const JointKind& kind)
+{
+    return std::visit(
+        [](const auto& k) {
+            if constexpr (HasMotor<decltype(k)>)
+                return k.motor && k.motor->speed != 0;
+            else
+                return false;
+        },
+        kind);
+}
+
 // Disjoint sets of numbers; the lowest of each leads.
 class Sets {
 public:
@@ -175,7 +190,13 @@ void World::Impl::disturb(std::uint32_t slot)
     BodyRow& b = bodies.rows[slot];
     if (!b.enabled) return;
     b.stillTime = 0;
-    if (!b.canMove()) wakeTouching(slot);
+    if (!b.canMove()) {
+        wakeTouching(slot);
+        for (const std::uint32_t joint : joints.ofBody[slot]) {
+            wake(joints.rows[joint].bodyA);
+            wake(joints.rows[joint].bodyB);
+        }
+    }
     wake(slot);
 }
 
@@ -213,6 +234,9 @@ bool World::Impl::sleepNow(std::uint32_t slot)
         const bool takePart = bodies.rows[a].enabled && bodies.rows[b].enabled;
         if (takePart && isBond(c) && bodies.rows[a].canMove() && bodies.rows[b].canMove()) sets.join(a, b);
     }
+    for (const JointRow& joint : joints.rows)
+        if (joint.acts() && bodies.rows[joint.bodyA].canMove() && bodies.rows[joint.bodyB].canMove())
+            sets.join(joint.bodyA, joint.bodyB);
     const std::uint32_t leader = sets.leader(slot);
     std::vector<std::uint32_t> members;
     for (const std::uint32_t part : bodies.parts) {
@@ -354,8 +378,24 @@ void World::Impl::fallAsleep(const StepContext& context)
     for (const Contact& c : contacts.rows)
         if (isBond(c) && motions.rows[c.rowA].moves() && motions.rows[c.rowB].moves())
             sets.join(c.rowA, c.rowB);
+    for (const JointRows& joint : jointSystem.joints)
+        if (motions.rows[joint.rowA].moves() && motions.rows[joint.rowB].moves())
+            sets.join(joint.rowA, joint.rowB);
     std::vector<SleepScratch::Verdict>& verdicts = sleepScratch.verdicts;
     verdicts.assign(rows, {});
+    for (const JointRows& joint : jointSystem.joints) {
+        const std::uint32_t pair[2] = {joint.rowA, joint.rowB};
+        const bool runs = hasRunningMotor(joints.rows[joint.joint].def.kind);
+        for (const int side : {0, 1}) {
+            const Motion &one = motions.rows[pair[side]], &other = motions.rows[pair[1 - side]];
+            if (!one.moves()) continue;
+            SleepScratch::Verdict& verdict = verdicts[sets.leader(pair[side])];
+            verdict.restless = verdict.restless || runs;
+            if (other.moves()) continue;
+            verdict.restless = verdict.restless || other.velocity != Vec2{} || other.spin != 0;
+            verdict.grounded = true;
+        }
+    }
     for (const Contact& c : contacts.rows) {
         if (!isBond(c)) continue;
         const std::uint32_t pair[2] = {c.rowA, c.rowB};

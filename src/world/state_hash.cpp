@@ -120,6 +120,83 @@ void add(Hasher& hash, const Contact& c)
     }
 }
 
+void add(Hasher& hash, const std::optional<JointLimits>& limits)
+{
+    addFlags(hash, limits.has_value());
+    if (!limits) return;
+    hash.add(limits->lower);
+    hash.add(limits->upper);
+}
+
+void add(Hasher& hash, const std::optional<JointMotor>& motor)
+{
+    addFlags(hash, motor.has_value());
+    if (!motor) return;
+    hash.add(motor->speed);
+    hash.add(motor->maxForce);
+}
+
+void add(Hasher& hash, const std::optional<JointSpring>& spring)
+{
+    addFlags(hash, spring.has_value());
+    if (!spring) return;
+    for (const real value : {spring->frequency, spring->dampingRatio, spring->rest}) hash.add(value);
+}
+
+void add(Hasher& hash, const RevoluteJoint& k)
+{
+    hash.add(k.referenceAngle);
+    add(hash, k.limits);
+    add(hash, k.motor);
+    add(hash, k.spring);
+}
+
+void add(Hasher& hash, const DistanceJoint& k)
+{
+    hash.add(k.length);
+    add(hash, k.limits);
+    add(hash, k.motor);
+    add(hash, k.spring);
+}
+
+void add(Hasher& hash, const PrismaticJoint& k)
+{
+    add(hash, k.axis);
+    hash.add(k.referenceAngle);
+    add(hash, k.limits);
+    add(hash, k.motor);
+    add(hash, k.spring);
+}
+
+void add(Hasher& hash, const WeldJoint& k)
+{
+    hash.add(k.referenceAngle);
+    add(hash, k.linear);
+    add(hash, k.angular);
+}
+
+void add(Hasher& hash, const TargetJoint& k)
+{
+    add(hash, k.target);
+    addFlags(hash, k.angle.has_value());
+    hash.add(k.angle.value_or(0));
+    for (const real value : {k.frequency, k.dampingRatio, k.maxForce, k.maxTorque}) hash.add(value);
+}
+
+void add(Hasher& hash, const JointRow& j)
+{
+    hash.add((std::uint64_t{j.bodyA} << 32) | j.bodyB);
+    const JointFrames frames = framesOf(j.def.kind);
+    addFlags(hash, j.def.kind.index(), j.def.collideConnected, j.def.enabled, j.broken, j.held[0], j.held[1]);
+    add(hash, frames.anchorA);
+    add(hash, frames.anchorB);
+    std::visit([&](const auto& kind) { add(hash, kind); }, j.def.kind);
+    for (const real value : {j.def.breaking.force, j.def.breaking.torque, j.def.breaking.error})
+        hash.add(value);
+    hash.add(j.angle);
+    for (const real impulse : j.impulses) hash.add(impulse);
+}
+
 }  // namespace
 
 std::uint64_t World::stateHash() const noexcept
@@ -153,6 +230,11 @@ std::uint64_t World::stateHash() const noexcept
             for (const Contact& contact : group.contacts) add(hash, contact);
     }
     for (const Contact& contact : impl_->contacts.rows) add(hash, contact);
+    for (std::uint32_t slot = 0; slot < impl_->joints.rows.size(); ++slot) {
+        if (!impl_->joints.ids.isAlive(slot)) continue;
+        hash.add(std::uint64_t{slot});
+        add(hash, impl_->joints.rows[slot]);
+    }
     return hash.value();
 }
 

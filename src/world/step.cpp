@@ -7,6 +7,7 @@
 #include "contacts/update.hpp"
 #include "graph/coloring.hpp"
 #include "islands/links.hpp"
+#include "joints/reading.hpp"
 #include "solver/finalize.hpp"
 #include "solver/solve.hpp"
 #include "world/impl.hpp"
@@ -36,8 +37,8 @@ void colorContacts(ContactTable& contacts, GraphScratch& graph)
     colorConstraints(graph.pairs, graph.movable, contacts.order, contacts.colorEnds, graph.colors);
 }
 
-void linkTouching(const ContactTable& contacts, const MotionTable& motions, const StepContext& context,
-                  GraphScratch& graph)
+void linkTouching(const ContactTable& contacts, const JointSystem& system, const MotionTable& motions,
+                  const StepContext& context, GraphScratch& graph)
 {
     std::vector<Link>& links = graph.links;
     links.clear();
@@ -49,6 +50,7 @@ void linkTouching(const ContactTable& contacts, const MotionTable& motions, cons
         }
         if (linked) links.push_back({c.rowA, c.rowB});
     }
+    for (const JointRows& joint : system.joints) links.push_back({joint.rowA, joint.rowB});
     const auto sameMotion = [&](std::uint32_t a, std::uint32_t b) {
         const Motion &ma = motions.rows[a], &mb = motions.rows[b];
         const bool still = ma.velocity == Vec2{} && mb.velocity == Vec2{} && ma.spin == 0 && mb.spin == 0;
@@ -74,6 +76,31 @@ void markCrowds(ContactTable& contacts, const Tuning& tuning, GraphScratch& grap
 }
 
 }  // namespace
+
+void World::Impl::breakJoints()
+{
+    breaks.clear();
+    std::vector<std::uint32_t>& slots = met;
+    slots.clear();
+    for (const JointRows& rows : jointSystem.joints)
+        if (joints.rows[rows.joint].def.breaking != JointBreaking{}) slots.push_back(rows.joint);
+    std::sort(slots.begin(), slots.end());
+    for (const std::uint32_t slot : slots) {
+        JointRow& joint = joints.rows[slot];
+        const JointReading reading = readJoint(joint, bodies, stepTime);
+        const JointBreaking& limit = joint.def.breaking;
+        const auto strength = static_cast<real>(length(toDVec2(reading.force)));
+        if (strength <= limit.force && absolute(reading.torque) <= limit.torque &&
+            reading.error <= limit.error)
+            continue;
+        joint.def.enabled = false;
+        joint.broken = true;
+        uncoupledIsStale = true;
+        std::fill(std::begin(joint.impulses), std::end(joint.impulses), real(0));
+        breaks.push_back({joints.ids.id(slot), joint.def.bodyA, joint.def.bodyB, reading.force,
+                          reading.torque, reading.error});
+    }
+}
 
 // By shapes: those of bodies that have woken stand behind all others until now.
 void World::Impl::sortContacts()
@@ -151,7 +178,7 @@ StepReport World::Impl::step(double dt, int substeps)
     // Who must be solved together, and who may be side by side.
     span.next("islands and colors");
     listMovable(motions, graph.movable);
-    linkTouching(contacts, motions, context, graph);
+    linkTouching(contacts, jointSystem, motions, context, graph);
     markCrowds(contacts, context.tuning, graph);
     colorContacts(contacts, graph);
     r.times.graph = watch.lap();
@@ -160,8 +187,8 @@ StepReport World::Impl::step(double dt, int substeps)
     span.next("solve");
     impacts.clear();
     roused.clear();
-    SolverStage stage{world,    forces, resting, asleep, graph.islands, motions,
-                      contacts, boxes,  impacts, roused, solverScratch, profile};
+    SolverStage stage{world,  forces,      resting, asleep,  graph.islands, motions,       contacts,
+                      joints, jointSystem, boxes,   impacts, roused,        solverScratch, profile};
     const SolverCounts counts = solve(stage, context);
     for (const std::uint32_t group : roused) wakeGroup(group, false);  // their contacts are here already
     r.clamps.speed += counts.clamps.speed;
@@ -208,6 +235,9 @@ StepReport World::Impl::step(double dt, int substeps)
         hits.push_back(hit);
     }
 
+    stepTime = dt;
+    breakJoints();
+
     // Who may rest now.
     span.next("sleep");
     r.touching += asleep.touching;
@@ -224,6 +254,9 @@ StepReport World::Impl::step(double dt, int substeps)
     r.shapes = census.shapes;
     r.pairs = static_cast<std::uint32_t>(contacts.rows.size());
     r.impacts = static_cast<std::uint32_t>(impacts.size());
+    r.joints = static_cast<std::uint32_t>(jointSystem.joints.size());
+    r.stiffGroups = static_cast<std::uint32_t>(jointSystem.directCount);
+    r.stiffFallbacks = jointSystem.fallbacks;
     r.islands = graph.islands.count();
     r.times.finalize = watch.lap();
     r.times.total = whole.lap();

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "diagnostics/energy.hpp"
 #include "diagnostics/validate.hpp"
+#include "joints/reading.hpp"
 #include "queries/search.hpp"
 #include "world/impl.hpp"
 
@@ -239,7 +240,7 @@ std::span<const ProfileSpan> World::profile() const noexcept
 
 StepEvents World::events() const noexcept
 {
-    return {impl_->begins, impl_->ends, impl_->hits};
+    return {impl_->begins, impl_->ends, impl_->hits, impl_->breaks};
 }
 
 ContactView World::Impl::view(const Contact& c) const
@@ -318,7 +319,9 @@ bool World::touching(ShapeId a, ShapeId b) const
 
 Energy World::energy() const
 {
-    return totalEnergy(impl_->bodies, impl_->field(), impl_->time);
+    Energy sum = totalEnergy(impl_->bodies, impl_->field(), impl_->time);
+    sum.potential += springEnergy(impl_->joints, impl_->bodies);
+    return sum;
 }
 Momentum World::momentum() const
 {

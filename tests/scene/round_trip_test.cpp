@@ -76,6 +76,34 @@ std::unique_ptr<World> strangeWorld()
     world->createBody(body).createShape({});
     world->createBody();
 
+    JointDef joint;
+    joint.bodyA = world->bodies()[1];
+    joint.bodyB = first.id();
+    const JointLimits limits{toReal(-0.3), toReal(1.7)};
+    const JointMotor motor{toReal(0.1), toReal(22.5)};
+    const JointSpring spring{toReal(3.3), toReal(0.1), toReal(0.7)};
+    joint.kind = RevoluteJoint{vec(0.1, 0.2), vec(-0.3, 0.4), 1.0 / 3, limits, motor, spring};
+    joint.collideConnected = true;
+    joint.enabled = false;
+    joint.breaking = {100, toReal(0.1), 3};
+    joint.name = "hinge";
+    joint.userData = 18446744073709551615u;
+    world->createJoint(joint);
+    for (const JointKind& kind :
+         {JointKind(DistanceJoint{vec(0, 1), vec(2, 3), toReal(0.4), JointLimits{toReal(0.1), kUnlimited},
+                                  motor, spring}),
+          JointKind(DistanceJoint{}),
+          JointKind(PrismaticJoint{vec(1, 1), vec(2, 2), vec(0.6, 0.8), -0.1, limits, motor, spring}),
+          JointKind(WeldJoint{vec(1, 0), vec(0, 1), 0.1, JointSpring{2, toReal(0.3), 0}, JointSpring{}}),
+          JointKind(TargetJoint{vec(0.1, 0), {1.0 / 3, 2}, 0.7, toReal(3.5), toReal(0.9), 100, 50}),
+          JointKind(TargetJoint{})}) {
+        joint = {};
+        joint.bodyA = first.id();
+        joint.bodyB = world->bodies()[2];
+        joint.kind = kind;
+        world->createJoint(joint);
+    }
+
     world->addForceLaw(drag(0.1, 0.2));
     world->body(world->bodies()[2]).addForceLaw(springTo({1, 2}, 30, 0.5));
     world->addForceLaw(attractionTo({-1, 0.1}, 5, 0.01));
@@ -165,6 +193,20 @@ TEST(SceneRoundTrip, EverythingAWorldHoldsComesBack)
     ASSERT_EQ(idsA.size(), idsB.size());
     for (std::size_t i = 0; i < idsA.size(); ++i) {
         expectSameBody(world->body(idsA[i]), scene.world->body(idsB[i]));
+    }
+    const auto jointsA = world->joints(), jointsB = scene.world->joints();
+    ASSERT_EQ(jointsA.size(), jointsB.size());
+    for (std::size_t i = 0; i < jointsA.size(); ++i) {
+        const JointDef x = world->joint(jointsA[i]).definition();
+        const JointDef y = scene.world->joint(jointsB[i]).definition();
+        EXPECT_EQ(x.kind, y.kind) << "joint " << i;
+        EXPECT_EQ(x.bodyA.index, y.bodyA.index);
+        EXPECT_EQ(x.bodyB.index, y.bodyB.index);
+        EXPECT_EQ(x.collideConnected, y.collideConnected);
+        EXPECT_EQ(x.enabled, y.enabled);
+        EXPECT_EQ(x.breaking, y.breaking);
+        EXPECT_EQ(x.name, y.name);
+        EXPECT_EQ(x.userData, y.userData);
     }
     const auto lawsA = world->forceLaws(), lawsB = scene.world->forceLaws();
     ASSERT_EQ(lawsA.size(), lawsB.size());

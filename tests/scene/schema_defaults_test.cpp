@@ -24,13 +24,23 @@ Json schema()
     return Json::parse(file);
 }
 
-/// A default world with a default body that has a default shape, a force and a mass, all written out.
+/// A default world with a default body that has a default shape, a force and joints, all written out.
 Json defaults()
 {
     World world;
     Body body = world.createBody();
     body.createShape({});
     body.addForce({});
+    JointDef joint;
+    joint.bodyA = world.createBody().id();
+    joint.bodyB = body.id();
+    for (const JointKind& kind :
+         {JointKind(RevoluteJoint{.limits = JointLimits{}, .motor = JointMotor{}, .spring = JointSpring{}}),
+          JointKind(DistanceJoint{}), JointKind(PrismaticJoint{}), JointKind(WeldJoint{}),
+          JointKind(TargetJoint{})}) {
+        joint.kind = kind;
+        world.createJoint(joint);
+    }
     return Json::parse(writeScene(world, {}, {.everything = true}));
 }
 
@@ -78,6 +88,22 @@ TEST(SceneSchema, HasTheLibrarysKeysAndDefaults)
     expectDefaults(shape, properties("shape"), {"capsule", "segment", "box", "polygon", "regularPolygon"});
     expectDefaults(shape["filter"], properties("filter"), {});
     expectDefaults(shape["circle"], properties("circle"), {});
+
+    const char* const kinds[] = {"revolute", "distance", "prismatic", "weld", "target"};
+    for (std::size_t i = 0; i < std::size(kinds); ++i) {
+        std::set<std::string> besides(std::begin(kinds), std::end(kinds));
+        besides.insert({"bodyA", "bodyB"});
+        Json joint = all["joints"][i];
+        joint.erase("bodyA");
+        joint.erase("bodyB");
+        expectDefaults(joint[kinds[i]], properties(kinds[i]), {});
+        expectDefaults(joint, properties("joint"), besides);
+    }
+    const Json& parts = all["joints"][0]["revolute"];
+    expectDefaults(parts["limits"], properties("limits"), {});
+    expectDefaults(parts["motor"], properties("motor"), {});
+    expectDefaults(parts["spring"], properties("spring"), {});
+    expectDefaults(all["joints"][0]["breaking"], properties("breaking"), {});
 }
 
 TEST(SceneSchema, HasTheReadersDefaultsOfGeometry)
@@ -113,6 +139,16 @@ TEST(SceneSchema, KnowsEveryFieldOfEveryDefinition)
     [[maybe_unused]] const auto& [f1, f2, f3] = Filter{};
     [[maybe_unused]] const auto& [l1, l2, l3, l4, l5] = LastingForce{};
     [[maybe_unused]] const auto& [p1, p2, p3] = MassProperties{};
+    [[maybe_unused]] const auto& [j1, j2, j3, j4, j5, j6, j7, j8] = JointDef{};
+    [[maybe_unused]] const auto& [r1, r2, r3, r4, r5, r6] = RevoluteJoint{};
+    [[maybe_unused]] const auto& [d1, d2, d3, d4, d5, d6] = DistanceJoint{};
+    [[maybe_unused]] const auto& [c1, c2, c3, c4, c5, c6, c7] = PrismaticJoint{};
+    [[maybe_unused]] const auto& [w1, w2, w3, w4, w5] = WeldJoint{};
+    [[maybe_unused]] const auto& [g1, g2, g3, g4, g5, g6, g7] = TargetJoint{};
+    [[maybe_unused]] const auto& [x1, x2] = JointLimits{};
+    [[maybe_unused]] const auto& [y1, y2] = JointMotor{};
+    [[maybe_unused]] const auto& [z1, z2, z3] = JointSpring{};
+    [[maybe_unused]] const auto& [k1, k2, k3] = JointBreaking{};
 
     const Json defs = schema()["$defs"];
     const auto count = [&](const char* name) {
@@ -125,6 +161,16 @@ TEST(SceneSchema, KnowsEveryFieldOfEveryDefinition)
     EXPECT_EQ(count("filter"), 3u);
     EXPECT_EQ(count("force"), 5u);
     EXPECT_EQ(count("mass"), 3u);
+    EXPECT_EQ(count("joint"), 8u - 1 + 5);  // five kinds instead of one field
+    EXPECT_EQ(count("revolute"), 6u);
+    EXPECT_EQ(count("distance"), 6u);
+    EXPECT_EQ(count("prismatic"), 7u);
+    EXPECT_EQ(count("weld"), 5u);
+    EXPECT_EQ(count("target"), 7u);
+    EXPECT_EQ(count("limits"), 2u);
+    EXPECT_EQ(count("motor"), 2u);
+    EXPECT_EQ(count("spring"), 3u);
+    EXPECT_EQ(count("breaking"), 3u);
 }
 
 TEST(SceneSchema, HasTheBuiltInScenesAndTheirRanges)

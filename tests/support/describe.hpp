@@ -71,7 +71,16 @@ inline void write(std::ostream& out, const WorldDef& def)
         << ' ' << t.sleepSpeed << " sleep " << def.allowSleep << '\n';
 }
 
-/// The world, its laws, bodies, lasting forces and shapes.
+/// All numbers of a kind are in the state's hash; here is what is not, and which kind it is.
+inline void write(std::ostream& out, const JointDef& def)
+{
+    out << "joint \"" << def.name << "\" kind " << def.kind.index() << " of " << def.bodyA.index << ' '
+        << def.bodyB.index << " collide " << def.collideConnected << " enabled " << def.enabled
+        << " breaks at " << def.breaking.force << ' ' << def.breaking.torque << ' ' << def.breaking.error
+        << " data " << def.userData << '\n';
+}
+
+/// The world, its laws, bodies, lasting forces, shapes and joints.
 inline std::string describe(World& world)
 {
     std::ostringstream out;
@@ -89,6 +98,7 @@ inline std::string describe(World& world)
         }
         for (const Shape& shape : body.shapes()) write(out, shape.definition());
     }
+    for (const JointId id : world.joints()) write(out, world.joint(id).definition());
     return out.str();
 }
 

@@ -23,5 +23,6 @@ struct Id {
 
 using BodyId = Id<struct BodyTag>;
 using ShapeId = Id<struct ShapeTag>;
+using JointId = Id<struct JointTag>;
 
 }  // namespace tamias2d::inline TAMIAS_PRECISION

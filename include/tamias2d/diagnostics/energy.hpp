@@ -9,7 +9,8 @@ namespace tamias2d::inline TAMIAS_PRECISION {
 struct Energy {
     double linear = 0;      ///< m v^2 / 2          [J]
     double rotational = 0;  ///< I omega^2 / 2      [J]
-    double potential = 0;   ///< -m g . p, plus that of gravitation and of laws that state one   [J]
+    double potential =
+        0;   ///< -m g . p, plus that of gravitation, of laws that state one, of joints' springs   [J]
 
     double kinetic() const noexcept { return linear + rotational; }
     double total() const noexcept { return linear + rotational + potential; }

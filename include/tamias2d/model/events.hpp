@@ -34,11 +34,21 @@ struct HitEvent {
     std::uint32_t group = 0;    ///< impulses of one two-point impact share a number (they act at once)
 };
 
+/// A joint that broke at the end of the step: from now on it is disabled.
+struct BreakEvent {
+    JointId joint;
+    BodyId bodyA, bodyB;
+    Vec2 force;          ///< on B, averaged over the step   [N]
+    real torque = 0;     ///< likewise                       [N*m]
+    real error = 0;      ///< [m]
+};
+
 /// What one step reports. Sorted, always complete, valid until the next step.
 struct StepEvents {
     std::span<const TouchEvent> begins;  ///< sorted by shape ids
     std::span<const TouchEvent> ends;    ///< sorted by shape ids; includes those of destroyed shapes
     std::span<const HitEvent> hits;      ///< in order of time, then shape ids
+    std::span<const BreakEvent> breaks = {};  ///< sorted by joint id
 };
 
 /// One point of a contact.

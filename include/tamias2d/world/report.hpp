@@ -39,6 +39,9 @@ struct StepReport {
     std::uint32_t impacts = 0;           ///< impulses at their time of impact
     std::uint32_t repaired = 0;  ///< pairs added because an impact threw a body out of its swept box
     std::uint32_t islands = 0;  ///< groups of movable bodies that touch or bear each other; one alone counts
+    std::uint32_t joints = 0;  ///< at work: enabled, between enabled bodies
+    std::uint32_t stiffGroups = 0;  ///< groups of joints that were solved at once
+    std::uint32_t stiffFallbacks = 0;  ///< visits to such a group that found no solution: joints one by one
     std::uint32_t nonFinite = 0;  ///< bodies set aside (disabled) as a value of theirs was no number
     std::uint32_t forceLawFaults = 0;  ///< force laws that threw or returned no number
     double deepestOverlap = 0;  ///< of bodies awake, at the end of the step   [m]   >= 0

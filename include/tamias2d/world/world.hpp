@@ -9,6 +9,7 @@
 #include <tamias2d/model/defs.hpp>
 #include <tamias2d/model/events.hpp>
 #include <tamias2d/queries/queries.hpp>
+#include <tamias2d/world/joint.hpp>
 #include <tamias2d/world/report.hpp>
 
 #include <memory>
@@ -146,13 +147,14 @@ public:
     // --- shapes
     Shape createShape(const ShapeDef& def);
     std::vector<Shape> shapes() const;       ///< in order of creation
+    std::vector<Joint> joints() const;       ///< that hold this body, in order of creation
 
     // --- results
     Energy energy() const;  ///< gravitation between bodies is counted in World::energy only
     Momentum momentum() const;
     std::vector<ContactView> contacts() const;  ///< as of the last step
 
-    void destroy();  ///< with its shapes and contacts
+    void destroy();  ///< with its shapes, contacts and joints
 
 private:
     friend class World;
@@ -164,7 +166,7 @@ private:
     BodyId id_;
 };
 
-/// A set of bodies and shapes, and the one function that moves them: step() [R1].
+/// A set of bodies, shapes and joints, and the one function that moves them: step() [R1].
 ///
 /// The same calls in the same order give the same bits on every supported platform [ADR6]. One
 /// thread at a time may call a World; separate Worlds share nothing.
@@ -175,7 +177,7 @@ public:
     ~World();
     World(World&&) = delete;  ///< a Body points at its World, so a World stays put
 
-    // --- bodies and shapes
+    // --- bodies, shapes and joints
     Body createBody(const BodyDef& def = {});
     void destroyBody(BodyId id);
     Body body(BodyId id);  ///< refuses a dead id
@@ -186,6 +188,13 @@ public:
     std::vector<BodyId> bodies() const;  ///< sorted by id
     std::size_t bodyCount() const noexcept;
     std::size_t shapeCount() const noexcept;
+    Joint createJoint(const JointDef& def);
+    void destroyJoint(JointId id);
+    Joint joint(JointId id);  ///< refuses a dead id
+    std::optional<Joint> findJoint(JointId id) noexcept;  ///< empty if dead
+    std::optional<Joint> findJoint(std::string_view name) noexcept;  ///< the first of that name
+    std::vector<JointId> joints() const;  ///< sorted by id
+    std::size_t jointCount() const noexcept;
     void readStates(std::span<const BodyId> ids, std::span<BodyState> states) const;  ///< same length
     void writeStates(std::span<const BodyId> ids, std::span<const BodyState> states);  ///< all or none
 
@@ -240,6 +249,7 @@ public:
 private:
     friend class Body;
     friend class Shape;
+    friend class Joint;
     struct Impl;
     std::unique_ptr<Impl> impl_;
 };

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: MIT
+// Groups of joints solved at once, exactly: docs/theory/joints.md, section 7.
+#pragma once
+
+#include "joints/block_ldl.hpp"
+#include "joints/rows.hpp"
+
+#include <vector>
+
+namespace tamias2d::inline TAMIAS_PRECISION {
+
+/// A group of joints and the bodies it holds, with the matrix that ties these. Keeps its memory, and its
+/// order of elimination as long as the same bodies are tied.
+struct DirectGroup {
+    std::vector<std::uint32_t> rows;      // of its bodies in the MotionTable, in order: the nodes
+    std::vector<std::uint32_t> joints;    // places among the JointRows
+    std::vector<BlockLdl::Edge> nodes;    // by joint: of its bodies; -1 for one that nothing moves
+    BlockLdl matrix;
+
+    // Of the solve at hand.
+    std::vector<double> start, velocity, step;   // three numbers a node
+    std::vector<std::uint8_t> active;            // by joint: which of its rows are within their bounds
+    std::vector<std::uint8_t> factored;          // likewise, of the factors at hand
+
+    int analyzedNodes = -1;
+    std::vector<BlockLdl::Edge> analyzed;
+
+    /// Finds nodes and order; cheap if nothing has changed since.
+    void build(const std::vector<JointRows>& all, const std::vector<Motion>& motions);
+};
+
+/// One visit to all joints of the group together, that leaves nothing for another one. `velocities` are those
+/// of its bodies, by node. Returns the greatest change of a velocity [m/s], or a negative number where no
+/// solution was found; nothing has changed then.
+real solveDirect(DirectGroup& group, std::vector<JointRows>& all, const std::vector<Motion>& motions,
+                 std::vector<JointVelocity>& velocities);
+
+}  // namespace tamias2d::inline TAMIAS_PRECISION

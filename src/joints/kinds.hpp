@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: MIT
+// The kinds of joints: each says where it holds its bodies, and what rows it has there.
+#pragma once
+
+#include "joints/rows.hpp"
+
+namespace tamias2d::inline TAMIAS_PRECISION {
+
+/// Where the two bodies of a joint are, or are expected to be.
+struct JointPose {
+    Vec2 armA, armB;          // from the centers of mass to the anchors   [m]
+    Vec2 between;             // from A's anchor to B's                    [m]
+    Rot rotationA;
+    double angle = 0;         // of B against A, reference taken off, turns counted   [rad]
+    real mass = 0;            // of the two on a spring between them       [kg]
+    real inertia = 0;         // likewise, about their centers             [kg*m^2]
+};
+
+/// What a kind holds its bodies by: points of their frames, and the angle that counts as 0. A target has a
+/// place in the world instead of a point of A.
+struct JointFrames {
+    Vec2 anchorA, anchorB;    // [m]
+    double reference = 0;     // [rad]
+    const Position* place = nullptr;
+    bool absolute = false;    // the angle is B's own, by the shorter way
+};
+
+JointFrames framesOf(const JointKind& kind);
+
+/// What a reading calls the joint's position.
+struct JointCoordinate {
+    double position = 0;      // [m] or [rad]
+    Jacobian j;
+};
+
+// One of each for every kind, in a file of its name: the rows at a pose, rigid ones first.
+void measure(const RevoluteJoint& kind, const JointPose& pose, JointRows& out);
+void measure(const DistanceJoint& kind, const JointPose& pose, JointRows& out);
+void measure(const PrismaticJoint& kind, const JointPose& pose, JointRows& out);
+void measure(const WeldJoint& kind, const JointPose& pose, JointRows& out);
+void measure(const TargetJoint& kind, const JointPose& pose, JointRows& out);
+
+JointCoordinate coordinateOf(const RevoluteJoint& kind, const JointPose& pose);
+JointCoordinate coordinateOf(const DistanceJoint& kind, const JointPose& pose);
+JointCoordinate coordinateOf(const PrismaticJoint& kind, const JointPose& pose);
+JointCoordinate coordinateOf(const WeldJoint& kind, const JointPose& pose);
+JointCoordinate coordinateOf(const TargetJoint& kind, const JointPose& pose);
+
+inline void measureJoint(const JointKind& kind, const JointPose& pose, JointRows& out)
+{
+    out.count = out.rigid = 0;
+    out.armA = pose.armA;
+    out.armB = pose.armB;
+    std::visit([&](const auto& k) { measure(k, pose, out); }, kind);
+}
+
+// --- what kinds are made of
+
+/// Moves the points of the two bodies apart along `n`.
+inline Jacobian pointJacobian(Vec2 n, const JointPose& pose)
+{
+    return {-n, n, -cross(pose.armA, n), cross(pose.armB, n)};
+}
+
+/// The same for an `n` that is fixed in A.
+inline Jacobian slideJacobian(Vec2 n, const JointPose& pose)
+{
+    return {-n, n, -cross(pose.armA + pose.between, n), cross(pose.armB, n)};
+}
+
+inline Jacobian turnJacobian()
+{
+    return {{}, {}, -1, 1};
+}
+
+/// Two rigid rows: the points stay together.
+void addPoint(const JointPose& pose, JointRows& out);
+
+/// What may stand at a joint's free coordinate, at `position` along `j`.
+void addSpring(const JointSpring& spring, int slot, const Jacobian& j, double position, real mass,
+               bool angular, JointRows& out);
+void addMotor(const std::optional<JointMotor>& motor, const Jacobian& j, bool angular, JointRows& out);
+void addLimits(const std::optional<JointLimits>& limits, const Jacobian& j, double position, bool angular,
+               JointRows& out);
+
+}  // namespace tamias2d::inline TAMIAS_PRECISION

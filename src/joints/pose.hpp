@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "joints/kinds.hpp"
+#include "model/bodies.hpp"
+
+namespace tamias2d::inline TAMIAS_PRECISION {
+
+/// Where a body is, or is expected to be.
+struct BodyPlace {
+    Position center;     // [m]
+    double angle = 0;    // [rad]
+    Rot rotation;
+};
+
+inline BodyPlace placeOf(const Motion& m)
+{
+    return {m.center, m.angle, m.rotation};
+}
+
+/// After a drift over `h` at a velocity.
+BodyPlace placeAhead(const Motion& m, const JointVelocity& velocity, real h);
+
+/// The angle of B against A nearest to `near`: so turns are counted.   [rad]
+double countTurns(double angleA, double angleB, double near);
+
+/// What the joint sees of its bodies there. `turned` is the angle of B against A, turns counted.
+JointPose poseOf(const JointRow& joint, const BodyTable& bodies, const Motion& a, const Motion& b,
+                 const BodyPlace& placeA, const BodyPlace& placeB, double turned);
+
+}  // namespace tamias2d::inline TAMIAS_PRECISION

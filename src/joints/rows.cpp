@@ -1,0 +1,294 @@
+// SPDX-License-Identifier: MIT
+#include "joints/rows.hpp"
+
+#include <tamias2d/math/scalar.hpp>
+
+#include <cmath>
+
+namespace tamias2d::inline TAMIAS_PRECISION {
+namespace {
+
+// How rigid rows that share bodies with others are softened, so that one visit each settles them: as a spring
+// of a quarter of the tick's frequency and twice the critical damping [eq. 6].
+constexpr double kTurn = 2 * 3.14159265358979323846 * 0.25, kDamping = 2;
+constexpr double kBlend = kTurn * (2 * kDamping + kTurn);
+constexpr real kFade = static_cast<real>(kTurn / (2 * kDamping + kTurn));  // of an error, in a tick
+constexpr real kFirm = static_cast<real>(kBlend / (1 + kBlend));
+constexpr real kLoose = static_cast<real>(1 / (1 + kBlend));
+
+// What has come apart, as by hand, comes back no faster than this.
+constexpr real kReturn = 20;  // [lengthUnit/s] or [rad/s]
+
+// Springs that swing faster than this in a tick are damped by it rather than followed [eq. 9].
+constexpr real kFastSpring = 1;  // [rad]
+
+real complianceAlong(const Jacobian& j, const Jacobian& k, const Motion& a, const Motion& b)
+{
+    return a.invMass.x * j.linearA.x * k.linearA.x + a.invMass.y * j.linearA.y * k.linearA.y +
+           a.invInertia * j.turnA * k.turnA + b.invMass.x * j.linearB.x * k.linearB.x +
+           b.invMass.y * j.linearB.y * k.linearB.y + b.invInertia * j.turnB * k.turnB;
+}
+
+// The inverse of a symmetric block of up to three rows. A row that nothing moves, or that others
+// already settle, gets no impulse.
+void invertBlock(const real (&k)[3][3], int count, real (&inverse)[3][3])
+{
+    real lower[3][3] = {}, pivot[3] = {};
+    for (int i = 0; i < count; ++i) {
+        for (int c = 0; c < i; ++c) {
+            real sum = k[i][c];
+            for (int m = 0; m < c; ++m) sum -= lower[i][m] * lower[c][m] * pivot[m];
+            lower[i][c] = pivot[c] > 0 ? sum / pivot[c] : real(0);
+        }
+        real sum = k[i][i];
+        for (int m = 0; m < i; ++m) sum -= lower[i][m] * lower[i][m] * pivot[m];
+        pivot[i] = sum > real(1e-5) * k[i][i] ? sum : real(0);
+    }
+    for (int column = 0; column < count; ++column) {
+        real x[3] = {};
+        for (int i = 0; i < count; ++i) {
+            x[i] = i == column ? real(1) : real(0);
+            for (int m = 0; m < i; ++m) x[i] -= lower[i][m] * x[m];
+        }
+        for (int i = 0; i < count; ++i) x[i] = pivot[i] > 0 ? x[i] / pivot[i] : real(0);
+        for (int i = count - 1; i >= 0; --i)
+            for (int m = i + 1; m < count; ++m) x[i] -= pivot[i] > 0 ? lower[m][i] * x[m] : real(0);
+        for (int i = 0; i < count; ++i) inverse[i][column] = x[i];
+    }
+}
+
+bool isBounded(const ConstraintRow& row)
+{
+    return row.kind == RowKind::Motor || row.kind == RowKind::Spring;
+}
+
+// Does the spring swing too fast to be followed?
+bool isFast(const ConstraintRow& row, real h)
+{
+    return row.stiffness * row.mass * h * h > kFastSpring * kFastSpring;
+}
+
+// A spring before the drift: halved, with the force of the middle of the tick [eq. 8]; whole, with that of
+// its start; a fast one with that of its end [eq. 9].
+void aimSpring(const ConstraintRow& row, RowVisit& visit, real curve, bool whole, real h)
+{
+    const real time = whole ? h : h / 2;
+    const real when = isFast(row, h) ? h : whole ? real(0) : h / 2;
+    visit.push = time * row.stiffness * (row.error + when * curve);
+    visit.give = time * (row.damping + row.stiffness * when);
+}
+
+// And after it: the same force through all of the tick; a fast one is asked again.
+void settleSpring(const ConstraintRow& row, RowVisit& visit, real h)
+{
+    const bool fast = isFast(row, h);
+    visit.push = fast ? h / 2 * row.stiffness * row.error : -visit.first;
+    visit.give = fast ? h / 2 * (row.damping + row.stiffness * h) : real(0);
+}
+
+}  // namespace
+
+ConstraintRow& JointRows::add(RowKind kind, int slot, const Jacobian& j, real error, bool angular)
+{
+    ConstraintRow& row = rows[count++];
+    row = {};
+    row.kind = kind;
+    row.slot = static_cast<std::uint8_t>(slot);
+    row.j = j;
+    row.error = error;
+    row.angular = angular;
+    if (kind == RowKind::Rigid) rigid = count;
+    return row;
+}
+
+void prepareRows(JointRows& joint, const Motion& a, const Motion& b)
+{
+    joint.reach = maximum(a.extent, b.extent);
+    for (int i = 0; i < joint.count; ++i)
+        joint.rows[i].mass = complianceAlong(joint.rows[i].j, joint.rows[i].j, a, b);
+    real k[3][3] = {};
+    for (int i = 0; i < joint.rigid; ++i)
+        for (int c = 0; c < joint.rigid; ++c)
+            k[i][c] = complianceAlong(joint.rows[i].j, joint.rows[c].j, a, b);
+    invertBlock(k, joint.rigid, joint.inverse);
+}
+
+void startRows(JointRows& joint, const JointRow& carried, const StepContext& context)
+{
+    const real time = joint.whole ? context.h : context.h / 2;
+    for (int i = 0; i < joint.count; ++i) {
+        const ConstraintRow& row = joint.rows[i];
+        RowVisit& visit = joint.visits[i];
+        visit = {};
+        visit.impulse = (joint.whole ? real(1) : real(0.5)) * carried.impulses[row.slot];
+        visit.high = isBounded(row) ? row.most * time : kUnlimited;
+        visit.low = row.kind == RowKind::Limit ? real(0) : -visit.high;
+    }
+}
+
+real predictedGive(const ConstraintRow& row, real impulse, real h)
+{
+    return kLoose / (kFirm * kFade) * h * row.mass * absolute(impulse);
+}
+
+namespace {
+
+// Speed at which an error is to fade.
+real fadeOf(const JointRows& joint, int i, const StepContext& context)
+{
+    const ConstraintRow& row = joint.rows[i];
+    const bool open = row.kind == RowKind::Limit && row.error > 0;
+    const real part = joint.visits[i].soft ? kFade : real(1);
+    const real most = kReturn * (row.angular ? real(1) : context.lengthUnit);
+    const real fade = part * row.error * context.invH;
+    return open ? fade : clamp(fade, -most, most);
+}
+
+}  // namespace
+
+real aimRows(JointRows& joint, const JointRows& ahead, const JointVelocity& va, const JointVelocity& vb,
+             const StepContext& context)
+{
+    real most = 0;
+    for (int i = 0; i < joint.count; ++i) {
+        const ConstraintRow& row = joint.rows[i];
+        RowVisit& visit = joint.visits[i];
+        // What the way to `ahead` changes beyond the speed along the row, as that turns meanwhile.
+        const real curve = (ahead.rows[i].error - row.error) * context.invH - speedAlong(row.j, va, vb);
+        const bool holds = row.kind == RowKind::Rigid || (row.kind == RowKind::Limit && row.error <= 0);
+        visit.soft = holds && !joint.rigidly;
+        if (row.kind == RowKind::Spring) {
+            aimSpring(row, visit, curve, joint.whole, context.h);
+        } else if (row.kind == RowKind::Motor) {
+            visit.bias = -row.speed;
+        } else {
+            const real bias = curve + fadeOf(joint, i, context);
+            most = maximum(most, absolute(bias - visit.bias) * (row.angular ? joint.reach : real(1)));
+            visit.bias = bias;
+        }
+    }
+    return most;
+}
+
+void flattenRows(JointRows& joint, const StepContext& context)
+{
+    for (int i = 0; i < joint.count; ++i) {
+        const RowKind kind = joint.rows[i].kind;
+        const bool open = kind == RowKind::Limit && joint.rows[i].error > 0;
+        if (kind == RowKind::Rigid || kind == RowKind::Limit)
+            joint.visits[i].bias = open ? fadeOf(joint, i, context) : real(0);
+    }
+}
+
+void settleRows(JointRows& joint, const StepContext& context)
+{
+    for (int i = 0; i < joint.count; ++i) {
+        const ConstraintRow& row = joint.rows[i];
+        RowVisit& visit = joint.visits[i];
+        visit.first = visit.impulse;
+        if (joint.lost) visit.impulse = 0;
+        visit.soft = false;
+        if (joint.whole) {  // all has acted: what brought errors back is taken out of the velocities again
+            const bool bears = row.kind == RowKind::Limit && visit.first > 0;
+            visit.impulse = visit.bias = visit.push = visit.give = 0;
+            visit.low = bears ? -visit.first : row.kind == RowKind::Rigid ? -kUnlimited : real(0);
+            visit.high = bears || row.kind == RowKind::Rigid ? kUnlimited : real(0);
+            continue;
+        }
+        visit.bias = row.kind == RowKind::Motor ? -row.speed : real(0);
+        if (row.kind == RowKind::Limit && !(visit.first > 0)) visit.high = 0;  // not reached: it may not push
+        if (row.kind == RowKind::Spring) settleSpring(row, visit, context.h);
+    }
+}
+
+namespace {
+
+real solveOne(const ConstraintRow& row, RowVisit& visit, const Motion& a, const Motion& b, JointVelocity& va,
+              JointVelocity& vb)
+{
+    const real speed = speedAlong(row.j, va, vb);
+    real wanted = 0;
+    if (row.kind == RowKind::Spring)
+        wanted =
+            (-visit.push - visit.give * (speed - row.mass * visit.impulse)) / (1 + visit.give * row.mass);
+    else if (row.mass > 0 && visit.soft)
+        wanted = (1 - kLoose) * visit.impulse - kFirm * (speed + visit.bias) / row.mass;
+    else if (row.mass > 0)
+        wanted = visit.impulse - (speed + visit.bias) / row.mass;
+    const real total = clamp(wanted, visit.low, visit.high), change = total - visit.impulse;
+    applyAlong(row.j, change, a, b, va, vb);
+    visit.impulse = total;
+    return absolute(change) * row.mass;
+}
+
+// The two impulses of one force are bounded by its strength.
+void boundPair(JointRows& joint, int second, const Motion& a, const Motion& b, JointVelocity& va,
+               JointVelocity& vb)
+{
+    const RowVisit &x = joint.visits[second - 1], &y = joint.visits[second];
+    const double strength = length(DVec2{static_cast<double>(x.impulse), static_cast<double>(y.impulse)});
+    if (!(strength > static_cast<double>(y.high))) return;
+    const real part = static_cast<real>(static_cast<double>(y.high) / strength);
+    for (int i = second - 1; i <= second; ++i) {
+        RowVisit& visit = joint.visits[i];
+        applyAlong(joint.rows[i].j, (part - 1) * visit.impulse, a, b, va, vb);
+        visit.impulse *= part;
+    }
+}
+
+// What is rigid comes last and together: it is to hold.
+real solveRigid(JointRows& joint, const Motion& a, const Motion& b, JointVelocity& va, JointVelocity& vb)
+{
+    real most = 0, change[3] = {}, wrong[3] = {};
+    for (int i = 0; i < joint.rigid; ++i) {
+        const ConstraintRow& row = joint.rows[i];
+        const RowVisit& visit = joint.visits[i];
+        wrong[i] = speedAlong(row.j, va, vb) + visit.bias;
+        const real left = visit.soft ? kFirm * wrong[i] + kLoose * visit.impulse * row.mass : wrong[i];
+        most = maximum(most, row.angular ? absolute(left) * joint.reach : absolute(left));
+        if (visit.soft) wrong[i] *= kFirm;
+    }
+    for (int i = 0; i < joint.rigid; ++i) {
+        const RowVisit& visit = joint.visits[i];
+        for (int c = 0; c < joint.rigid; ++c) change[i] -= joint.inverse[i][c] * wrong[c];
+        if (visit.soft) change[i] -= kLoose * visit.impulse;
+    }
+    for (int i = 0; i < joint.rigid; ++i) {
+        applyAlong(joint.rows[i].j, change[i], a, b, va, vb);
+        joint.visits[i].impulse += change[i];
+    }
+    return most;
+}
+
+real visitRows(JointRows& joint, const Motion& a, const Motion& b, JointVelocity& va, JointVelocity& vb)
+{
+    real most = 0;
+    for (int i = joint.rigid; i < joint.count; ++i) {
+        const ConstraintRow& row = joint.rows[i];
+        const real change = solveOne(row, joint.visits[i], a, b, va, vb);
+        most = maximum(most, row.angular ? change * joint.reach : change);
+        if (row.pairBound) boundPair(joint, i, a, b, va, vb);
+    }
+    return maximum(most, solveRigid(joint, a, b, va, vb));
+}
+
+bool isFinite(const JointVelocity& v)
+{
+    return isFinite(v.linear) && std::isfinite(v.spin);
+}
+
+}  // namespace
+
+real solveRows(JointRows& joint, const Motion& a, const Motion& b, JointVelocity& va, JointVelocity& vb)
+{
+    const JointVelocity beforeA = va, beforeB = vb;
+    const real change = visitRows(joint, a, b, va, vb);
+    if (isFinite(va) && isFinite(vb)) return change;
+    // Beyond all numbers: the joint lets go for this visit.
+    va = beforeA;
+    vb = beforeB;
+    for (RowVisit& visit : joint.visits) visit.impulse = 0;
+    return 0;
+}
+
+}  // namespace tamias2d::inline TAMIAS_PRECISION

@@ -1,0 +1,373 @@
+// SPDX-License-Identifier: MIT
+#include "joints/tick.hpp"
+
+#include <tamias2d/math/scalar.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+namespace tamias2d::inline TAMIAS_PRECISION {
+namespace {
+
+// Joints in the order of their bodies, whoever was made first.
+void sortJoints(const JointTable& table, const MotionTable& motions, std::vector<std::uint32_t>& order)
+{
+    order.clear();
+    for (const Motion& m : motions.rows) {
+        const bool ground = !m.moves() && m.velocity == Vec2{} && m.spin == 0;
+        if (ground) continue;  // its joints are found at their other bodies
+        for (const std::uint32_t slot : table.ofBody[m.body]) {
+            const JointRow& joint = table.rows[slot];
+            if (!joint.acts()) continue;
+            const std::uint32_t a = motions.rowOf[joint.bodyA], b = motions.rowOf[joint.bodyB];
+            if (a == MotionTable::kNone || b == MotionTable::kNone) continue;
+            if (motions.rows[a].moves() || motions.rows[b].moves()) order.push_back(slot);
+        }
+    }
+    std::sort(order.begin(), order.end(), [&](std::uint32_t i, std::uint32_t k) {
+        const JointRow &p = table.rows[i], &q = table.rows[k];
+        const auto pLow = minimum(p.bodyA, p.bodyB), qLow = minimum(q.bodyA, q.bodyB);
+        const auto pHigh = maximum(p.bodyA, p.bodyB), qHigh = maximum(q.bodyA, q.bodyB);
+        return pLow != qLow ? pLow < qLow : pHigh != qHigh ? pHigh < qHigh : i < k;
+    });
+    order.erase(std::unique(order.begin(), order.end()), order.end());
+}
+
+// Bodies that can be pushed, tied together by joints.
+void groupBodies(const MotionTable& motions, JointSystem& system)
+{
+    std::vector<std::uint32_t>& group = system.groupOf;
+    group.assign(motions.rows.size(), JointSystem::kNone);
+    const auto root = [&](std::uint32_t i) {
+        while (group[i] != i) i = group[i] = group[group[i]];
+        return i;
+    };
+    for (const JointRows& joint : system.joints) {
+        for (const std::uint32_t row : {joint.rowA, joint.rowB})
+            if (motions.rows[row].moves() && group[row] == JointSystem::kNone) group[row] = row;
+        if (group[joint.rowA] == JointSystem::kNone || group[joint.rowB] == JointSystem::kNone) continue;
+        const std::uint32_t a = root(joint.rowA), b = root(joint.rowB);
+        if (a != b) group[maximum(a, b)] = minimum(a, b);
+    }
+
+    // A leader stands before all it leads, so its number is known when they ask for it.
+    std::uint32_t count = 0;
+    for (std::uint32_t i = 0; i < group.size(); ++i)
+        if (group[i] != JointSystem::kNone) group[i] = root(i);
+    std::vector<std::uint32_t> numbers(group.size());
+    for (std::uint32_t i = 0; i < group.size(); ++i) {
+        if (group[i] == JointSystem::kNone) continue;
+        if (group[i] == i) numbers[i] = count++;
+    }
+    for (std::uint32_t& g : group)
+        if (g != JointSystem::kNone) g = numbers[g];
+    system.wholeGroups.assign(count, 0);
+    for (JointRows& joint : system.joints) {
+        const std::uint32_t a = group[joint.rowA];
+        joint.group = a != JointSystem::kNone ? a : group[joint.rowB];
+    }
+}
+
+// --- which groups are solved at once: docs/theory/joints.md, section 7
+
+constexpr double kHeavy = 30;         // ratio of masses at which a joint is stiff
+constexpr real kGive = real(1e-3);    // of the arms: what a soft joint may give way
+constexpr int kHold = 30;             // steps for which a group stays so
+constexpr std::size_t kFew = 4;       // bodies of which solving at once costs no more
+constexpr std::size_t kMany = 300;    // bodies from which it costs too much
+constexpr std::size_t kFill = 4;      // blocks for each body, likewise
+
+bool isHeavy(const Motion& a, const Motion& b)
+{
+    const auto inverse = [](const Motion& m) {
+        return static_cast<double>(maximum(m.invMass.x, m.invMass.y));
+    };
+    const double p = inverse(a), q = inverse(b);
+    return p > 0 && q > 0 && (p > kHeavy * q || q > kHeavy * p);
+}
+
+void chooseStiff(JointTable& table, const std::vector<Motion>& motions, JointSystem& system)
+{
+    const std::size_t groups = system.wholeGroups.size();
+    std::vector<std::size_t> members(groups, 0), bodies(groups, 0);
+    system.stiffGroups.assign(groups, 0);
+    for (const std::uint32_t group : system.groupOf)
+        if (group != JointSystem::kNone) ++bodies[group];
+    for (const JointRows& rows : system.joints) {
+        JointRow& joint = table.rows[rows.joint];
+        ++members[rows.group];
+        if (isHeavy(motions[rows.rowA], motions[rows.rowB])) joint.stiffSteps = kHold;
+        if (joint.stiffSteps > 0) {
+            --joint.stiffSteps;
+            system.stiffGroups[rows.group] = 1;
+        }
+    }
+    for (std::size_t g = 0; g < groups; ++g) {
+        if (bodies[g] <= kFew) system.stiffGroups[g] = 1;
+        if (members[g] < 2 || bodies[g] > kMany) system.stiffGroups[g] = 0;
+    }
+
+    // Their joints, and the order in which their bodies are eliminated.
+    std::vector<std::size_t> placeOf(groups, 0);
+    system.directCount = 0;
+    for (std::size_t g = 0; g < groups; ++g) {
+        if (!system.stiffGroups[g]) continue;
+        placeOf[g] = system.directCount++;
+        if (system.direct.size() < system.directCount) system.direct.emplace_back();
+        system.direct[placeOf[g]].joints.clear();
+    }
+    for (std::size_t j = 0; j < system.joints.size(); ++j)
+        if (system.stiffGroups[system.joints[j].group])
+            system.direct[placeOf[system.joints[j].group]].joints.push_back(static_cast<std::uint32_t>(j));
+    std::size_t kept = 0;
+    for (std::size_t d = 0; d < system.directCount; ++d) {
+        DirectGroup& direct = system.direct[d];
+        direct.build(system.joints, motions);
+        if (direct.matrix.fill() > kFill * direct.rows.size()) {
+            system.stiffGroups[system.joints[direct.joints.front()].group] = 0;
+            continue;
+        }
+        if (kept != d) std::swap(system.direct[kept], direct);
+        ++kept;
+    }
+    system.directCount = kept;
+    for (JointRows& rows : system.joints)
+        rows.rigidly = members[rows.group] == 1 || system.stiffGroups[rows.group];
+}
+
+}  // namespace
+
+namespace {
+
+void addSteadyJoint(const JointTable& table, const JointRows& joint, std::vector<Motion>& rows)
+{
+    Motion &a = rows[joint.rowA], &b = rows[joint.rowB];
+    JointVelocity va{a.steady, a.steadySpin}, vb{b.steady, b.steadySpin};
+    for (int i = 0; i < joint.count; ++i) {
+        const ConstraintRow& row = joint.rows[i];
+        applyAlong(row.j, table.rows[joint.joint].impulses[row.slot], a, b, va, vb);
+    }
+    if (a.moves()) a.steady = va.linear, a.steadySpin = va.spin;
+    if (b.moves()) b.steady = vb.linear, b.steadySpin = vb.spin;
+}
+
+void forgetSums(JointRow& joint)
+{
+    joint.stepImpulse = {};
+    joint.stepTurn = 0;
+    joint.stepWork = 0;
+    std::fill(std::begin(joint.stepSums), std::end(joint.stepSums), real(0));
+}
+
+void listJoints(JointTable& table, const BodyTable& bodies, const MotionTable& motions, JointSystem& system)
+{
+    system.joints.clear();
+    system.fallbacks = 0;
+    sortJoints(table, motions, system.order);
+    for (const std::uint32_t slot : system.order) {
+        JointRows rows;
+        rows.joint = slot;
+        rows.rowA = motions.rowOf[table.rows[slot].bodyA];
+        rows.rowB = motions.rowOf[table.rows[slot].bodyB];
+        system.joints.push_back(rows);
+    }
+    groupBodies(motions, system);
+    chooseStiff(table, motions.rows, system);
+    measureJoints(table, bodies, motions, system);
+}
+
+}  // namespace
+
+void gatherJoints(JointTable& table, const BodyTable& bodies, const MotionTable& motions, JointSystem& system)
+{
+    // Those that have left did nothing in this step, but what sleeps goes on to bear what it bore.
+    for (const JointRows& old : system.joints) {
+        JointRow& joint = table.rows[old.joint];
+        if (!bodies.rows[joint.bodyA].isAsleep() && !bodies.rows[joint.bodyB].isAsleep()) forgetSums(joint);
+    }
+    listJoints(table, bodies, motions, system);
+    for (const JointRows& rows : system.joints) forgetSums(table.rows[rows.joint]);
+}
+
+void bringInJoints(JointTable& table, const BodyTable& bodies, MotionTable& motions, JointSystem& system,
+                   std::size_t firstRow)
+{
+    listJoints(table, bodies, motions, system);
+    for (const JointRows& joint : system.joints) {
+        if (joint.rowA < firstRow && joint.rowB < firstRow) continue;
+        forgetSums(table.rows[joint.joint]);
+        addSteadyJoint(table, joint, motions.rows);
+    }
+    spreadLoad(system, motions.rows);
+}
+
+void measureJoints(JointTable& table, const BodyTable& bodies, const MotionTable& motions,
+                   JointSystem& system)
+{
+    for (JointRows& rows : system.joints) {
+        JointRow& joint = table.rows[rows.joint];
+        const Motion &a = motions.rows[rows.rowA], &b = motions.rows[rows.rowB];
+        joint.angle = countTurns(a.angle, b.angle, joint.angle);
+        const JointPose pose = poseOf(joint, bodies, a, b, placeOf(a), placeOf(b), joint.angle);
+        measureJoint(joint.def.kind, pose, rows);
+        prepareRows(rows, a, b);
+    }
+}
+
+namespace {
+
+// Another moment of inertia, and the spin that has the same energy with it: with the same spin, or the same
+// angular momentum, each change would do work.
+void takeInertia(Motion& m, real invInertia)
+{
+    if (m.invInertia > 0 && invInertia > 0) m.spin *= std::sqrt(invInertia / m.invInertia);
+    m.invInertia = invInertia;
+}
+
+}  // namespace
+
+void guardLightBodies(const JointTable& table, const BodyTable& bodies, JointSystem& system,
+                      std::vector<Motion>& rows, const StepContext& context)
+{
+    constexpr real kStiff = 4;  // a body may turn by 1/sqrt(this) radians of its swing in a tick
+    system.pull.assign(rows.size(), 0);
+    for (const JointRows& joint : system.joints) {
+        Vec2 force;
+        for (int i = 0; i < joint.count; ++i)
+            force += table.rows[joint.joint].impulses[joint.rows[i].slot] * joint.rows[i].j.linearB;
+        system.pull[joint.rowA] += length(joint.armA) * length(force);
+        system.pull[joint.rowB] += length(joint.armB) * length(force);
+    }
+    bool changed = false;
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+        if (system.groupOf[i] == JointSystem::kNone) continue;
+        const real own = bodies.rows[rows[i].body].invInertia(), needed = kStiff * context.h * system.pull[i];
+        const real used = own * needed > 1 ? 1 / needed : own;
+        if (used == rows[i].invInertia) continue;
+        changed = true;
+        takeInertia(rows[i], used);
+    }
+    if (!changed) return;
+    for (JointRows& joint : system.joints) prepareRows(joint, rows[joint.rowA], rows[joint.rowB]);
+}
+
+void releaseGuard(const BodyTable& bodies, std::vector<Motion>& rows)
+{
+    for (Motion& m : rows) {
+        const real own = bodies.rows[m.body].invInertia();
+        if (own != m.invInertia) takeInertia(m, own);
+    }
+}
+
+void addSteadyJoints(const JointTable& table, const JointSystem& system, std::vector<Motion>& rows)
+{
+    for (const JointRows& joint : system.joints) addSteadyJoint(table, joint, rows);
+}
+
+void spreadLoad(JointSystem& system, std::vector<Motion>& rows)
+{
+    if (system.empty()) return;
+    std::fill(system.wholeGroups.begin(), system.wholeGroups.end(), std::uint8_t{0});
+    for (std::size_t i = 0; i < rows.size(); ++i)
+        if (rows[i].loaded && system.groupOf[i] != JointSystem::kNone)
+            system.wholeGroups[system.groupOf[i]] = 1;
+    for (std::size_t i = 0; i < rows.size(); ++i)
+        if (system.groupOf[i] != JointSystem::kNone && system.wholeGroups[system.groupOf[i]])
+            rows[i].loaded = true;
+    for (JointRows& joint : system.joints) joint.whole = system.wholeGroups[joint.group] != 0;
+}
+
+void startJoints(const JointTable& table, const BodyTable& bodies, const MotionTable& motions,
+                 const StepContext& context, JointSystem& system)
+{
+    for (JointRows& rows : system.joints) {
+        const Motion &a = motions.rows[rows.rowA], &b = motions.rows[rows.rowB];
+        startRows(rows, table.rows[rows.joint], context);
+        aimJoint(table, bodies, motions, {a.velocity, a.spin}, {b.velocity, b.spin}, context, rows);
+    }
+}
+
+real aimJoint(const JointTable& table, const BodyTable& bodies, const MotionTable& motions,
+              const JointVelocity& va, const JointVelocity& vb, const StepContext& context, JointRows& rows)
+{
+    const JointRow& joint = table.rows[rows.joint];
+    const Motion &a = motions.rows[rows.rowA], &b = motions.rows[rows.rowB];
+    const BodyPlace placeA = placeAhead(a, va, context.h), placeB = placeAhead(b, vb, context.h);
+    const double turned = joint.angle + (placeB.angle - b.angle) - (placeA.angle - a.angle);
+    JointRows ahead;
+    measureJoint(joint.def.kind, poseOf(joint, bodies, a, b, placeA, placeB, turned), ahead);
+    return aimRows(rows, ahead, va, vb, context);
+}
+
+namespace {
+
+// What a visited joint did, added to the sums of the step.
+void tally(JointRow& joint, const JointRows& rows, const Motion& a, const Motion& b)
+{
+    for (int i = 0; i < rows.count; ++i) {
+        const ConstraintRow& row = rows.rows[i];
+        const real impulse = rows.visits[i].impulse;
+        joint.stepSums[row.slot] += impulse;
+        joint.stepImpulse += impulse * row.j.linearB;
+        joint.stepTurn += impulse * (row.j.turnB - cross(rows.armB, row.j.linearB));
+        if (row.kind == RowKind::Motor)
+            joint.stepWork +=
+                static_cast<double>(impulse) *
+                static_cast<double>(speedAlong(row.j, {a.velocity, a.spin}, {b.velocity, b.spin}));
+    }
+}
+
+}  // namespace
+
+void tallyJoints(JointTable& table, const JointSystem& system, const std::vector<Motion>& rows)
+{
+    for (const JointRows& joint : system.joints)
+        tally(table.rows[joint.joint], joint, rows[joint.rowA], rows[joint.rowB]);
+}
+
+void turnSteadyJoints(JointSystem& system, std::vector<Motion>& rows, const StepContext& context)
+{
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+        if (!system.isHalved(i)) continue;
+        rows[i].steady = {};
+        rows[i].steadySpin = 0;
+    }
+    for (JointRows& joint : system.joints) {
+        settleRows(joint, context);
+        if (joint.whole) continue;
+        Motion &a = rows[joint.rowA], &b = rows[joint.rowB];
+        JointVelocity va{a.steady, a.steadySpin}, vb{b.steady, b.steadySpin};
+        for (int i = 0; i < joint.count; ++i)
+            applyAlong(joint.rows[i].j, 2 * joint.visits[i].impulse, a, b, va, vb);
+        if (a.moves()) a.steady = va.linear, a.steadySpin = va.spin;
+        if (b.moves()) b.steady = vb.linear, b.steadySpin = vb.spin;
+    }
+}
+
+void keepJoints(JointTable& table, const JointSystem& system, const StepContext& context)
+{
+    for (const JointRows& joint : system.joints) {
+        if (system.hit[joint.rowA] || system.hit[joint.rowB]) continue;
+        JointRow& kept = table.rows[joint.joint];
+        const bool held[2] = {kept.held[0], kept.held[1]};
+        std::fill(std::begin(kept.impulses), std::end(kept.impulses), real(0));
+        kept.held[0] = kept.held[1] = false;
+        for (int i = 0; i < joint.count; ++i) {
+            const ConstraintRow& row = joint.rows[i];
+            real& carried = kept.impulses[row.slot];
+            const RowVisit& visit = joint.visits[i];
+            carried = visit.first + visit.impulse;
+            if (joint.lost || !std::isfinite(carried)) carried = 0;
+            const real arms = length(joint.armA) + length(joint.armB);
+            const real give = row.angular ? real(0) : predictedGive(row, carried, context.h);
+            if (row.kind == RowKind::Rigid && give > kGive * arms) kept.stiffSteps = kHold;
+            if (row.kind != RowKind::Limit) continue;
+            // The blow with which a limit is met is not a load it will bear.
+            const int side = row.slot - JointSlot::kLower;
+            kept.held[side] = carried > 0;
+            if (!held[side]) carried = 0;
+        }
+    }
+}
+
+}  // namespace tamias2d::inline TAMIAS_PRECISION

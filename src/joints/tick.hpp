@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: MIT
+// The joints' part of a tick, one call a stage. src/solver/solve.cpp has the order.
+#pragma once
+
+#include "joints/direct.hpp"
+#include "joints/pose.hpp"
+
+#include <vector>
+
+namespace tamias2d::inline TAMIAS_PRECISION {
+
+/// The joints at work in a step, in the order in which they are solved; keeps its memory.
+struct JointSystem {
+    static constexpr std::uint32_t kNone = 0xffffffffu;
+
+    std::vector<JointRows> joints;
+    std::vector<std::uint32_t> groupOf;      // by row: of the bodies that joints tie together; or kNone
+    std::vector<std::uint8_t> stiffGroups;   // by group: solved at once
+    std::vector<DirectGroup> direct;         // the first `directCount` of them are those
+    std::size_t directCount = 0;
+    std::vector<std::uint8_t> lostGroups;    // by group: did not find where it goes in this tick
+    std::vector<std::uint8_t> wholeGroups;   // by group: solved once a tick
+    std::uint32_t fallbacks = 0;             // visits of the step in which a group was not solved at once
+    std::vector<JointVelocity> velocities;   // scratch
+    std::vector<std::uint32_t> order;        // scratch
+    std::vector<std::uint8_t> hit;           // by row: by an impact in this tick
+    std::vector<real> pull;                  // by row, scratch: sum of tension times arm   [N*m*s]
+
+    bool empty() const { return joints.empty(); }
+    /// Do joints alone change the velocity of the body in the two halves of this tick?
+    bool isHalved(std::size_t row) const { return groupOf[row] != kNone && !wholeGroups[groupOf[row]]; }
+};
+
+/// Which joints act, on what rows, and which bodies they tie together; measured at the present poses.
+void gatherJoints(JointTable& table, const BodyTable& bodies, const MotionTable& motions,
+                  JointSystem& system);
+
+/// The same again for bodies that have come into the step in its midst, with rows from `firstRow` on; the
+/// loads that their joints carry are added to `steady`.
+void bringInJoints(JointTable& table, const BodyTable& bodies, MotionTable& motions, JointSystem& system,
+                   std::size_t firstRow);
+
+/// Errors, Jacobians and effective masses at the present poses.
+void measureJoints(JointTable& table, const BodyTable& bodies, const MotionTable& motions,
+                   JointSystem& system);
+
+/// Light bodies between heavy loads turn under them faster than a tick can follow. They are given so much
+/// moment of inertia for the tick that it can [eq. 11].
+void guardLightBodies(const JointTable& table, const BodyTable& bodies, JointSystem& system,
+                      std::vector<Motion>& rows, const StepContext& context);
+
+/// After the last tick of a step: their own moments of inertia again.
+void releaseGuard(const BodyTable& bodies, std::vector<Motion>& rows);
+
+/// Adds the velocity changes of the impulses that joints carry to `steady`.
+void addSteadyJoints(const JointTable& table, const JointSystem& system, std::vector<Motion>& rows);
+
+/// Bodies tied to one that bears a load are loaded, too: all of a group is solved the same way.
+void spreadLoad(JointSystem& system, std::vector<Motion>& rows);
+
+/// Impulses as the tick begins, and what they aim at, for the velocities after the first kick.
+void startJoints(const JointTable& table, const BodyTable& bodies, const MotionTable& motions,
+                 const StepContext& context, JointSystem& system);
+
+/// What a joint aims at, for these velocities; returns by how much that changed.   [m/s]
+real aimJoint(const JointTable& table, const BodyTable& bodies, const MotionTable& motions,
+              const JointVelocity& va, const JointVelocity& vb, const StepContext& context, JointRows& rows);
+
+/// After the drift, with the joints measured there: the second half of what they carry becomes `steady` of
+/// the bodies in halves, along the directions that it has now.
+void turnSteadyJoints(JointSystem& system, std::vector<Motion>& rows, const StepContext& context);
+
+/// After the visits before the drift, and after those that follow it: adds what the joints did in them to the
+/// sums of the step.
+void tallyJoints(JointTable& table, const JointSystem& system, const std::vector<Motion>& rows);
+
+/// After the tick: what the joints carry on. A joint of a body that was hit carries what it did before: the
+/// blow is not a load it will bear.
+void keepJoints(JointTable& table, const JointSystem& system, const StepContext& context);
+
+}  // namespace tamias2d::inline TAMIAS_PRECISION

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "base/id_pool.hpp"
+
+#include <tamias2d/model/joint_defs.hpp>
+
+#include <vector>
+
+namespace tamias2d::inline TAMIAS_PRECISION {
+
+/// Places of the rows of a joint among its impulses. Kinds use those they need.
+struct JointSlot {
+    static constexpr int kBlock = 0;   // 0 to 2: what is rigid, solved together
+    static constexpr int kSpring = 3;  // 3 to 5: springs
+    static constexpr int kMotor = 6;
+    static constexpr int kLower = 7;
+    static constexpr int kUpper = 8;
+    static constexpr int kCount = 9;
+};
+
+/// Everything the world remembers of a joint between steps.
+struct JointRow {
+    JointDef def;                          // as given
+    std::uint32_t bodyA = 0, bodyB = 0;    // slots
+    int stiffSteps = 0;                    // for so many steps on its group is solved at once
+    double angle = 0;                      // of B against A, turns counted, reference taken off   [rad]
+    bool broken = false;
+    bool held[2] = {};                     // by the lower, the upper limit, at the end of the last tick
+
+    // Carried from tick to tick and from step to step.
+    real impulses[JointSlot::kCount] = {}; // of the last tick   [N*s] or [N*m*s]
+
+    // Summed over the step.
+    Vec2 stepImpulse;                      // on B                        [N*s]
+    real stepTurn = 0;                     // on B beside that impulse    [N*m*s]
+    real stepSums[JointSlot::kCount] = {}; // of each row                 [N*s] or [N*m*s]
+    double stepWork = 0;                   // of the motor                [J]
+
+    // Measured at the end of the step.
+    JointReading reading;
+
+    bool acts() const { return def.enabled; }
+};
+
+/// The joints of a world; a row is the slot of the joint's id.
+struct JointTable {
+    explicit JointTable(std::uint32_t world) : ids(world) {}
+
+    IdPool<JointId> ids;
+    std::vector<JointRow> rows;
+    std::vector<std::vector<std::uint32_t>>
+        ofBody;   // by body slot: slots of its joints, in order of creation
+};
+
+/// Pairs of bodies that do not collide as a joint says so; sorted, lower slot first.
+using UncoupledPairs = std::vector<std::pair<std::uint32_t, std::uint32_t>>;
+
+}  // namespace tamias2d::inline TAMIAS_PRECISION

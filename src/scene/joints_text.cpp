@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: MIT
+#include "scene/joints_text.hpp"
+
+namespace tamias2d::inline TAMIAS_PRECISION::scene {
+
+namespace {
+
+// In the order of JointKind.
+constexpr const char* kKinds[] = {"revolute", "distance", "prismatic", "weld", "target"};
+static_assert(std::size(kKinds) == std::variant_size_v<JointKind>);
+
+template <std::size_t I>
+void readKind(ObjectReader& in, JointText& joint, const Node& node)
+{
+    if (!joint.kind.empty()) {
+        in.node().refuse("must have one kind: \"" + joint.kind + "\" or \"" + kKinds[I] + "\"");
+    }
+    std::variant_alternative_t<I, JointKind> kind;
+    readValue(node, kind);
+    joint.def.kind = kind;
+    joint.kind = kKinds[I];
+}
+
+template <std::size_t... I>
+void readKinds(ObjectReader& in, JointText& joint, std::index_sequence<I...>)
+{
+    const auto read = [&]<std::size_t K>() {
+        if (const std::optional<Node> node = in.find(kKinds[K])) readKind<K>(in, joint, *node);
+    };
+    (read.template operator()<I>(), ...);
+}
+
+}  // namespace
+
+JointText readJoint(ObjectReader& in)
+{
+    JointText joint;
+    readKinds(in, joint, std::make_index_sequence<std::size(kKinds)>());
+    in.readFields(joint.def);
+    if (joint.kind.empty()) {
+        std::string rule = "must have a kind: one of the keys";
+        for (const char* kind : kKinds) rule += std::string(" \"") + kind + "\"";
+        in.node().refuse(rule);
+    }
+    return joint;
+}
+
+OrderedJson jointJson(const JointDef& def, bool everything)
+{
+    OrderedJson out = OrderedJson::object();
+    out[kKinds[def.kind.index()]] =
+        std::visit([&](const auto& kind) { return fieldsJson(kind, everything); }, def.kind);
+    out.update(fieldsJson(def, everything));
+    return out;
+}
+
+}  // namespace tamias2d::inline TAMIAS_PRECISION::scene

@@ -1,0 +1,142 @@
+// SPDX-License-Identifier: MIT
+#include "solver/joint_passes.hpp"
+
+#include <tamias2d/math/scalar.hpp>
+
+#include <algorithm>
+
+namespace tamias2d::inline TAMIAS_PRECISION {
+
+namespace {
+
+constexpr real kTrust = 1;   // change of what a joint aims at, after the last pass   [lengthUnit/s]
+
+JointVelocity velocityOf(const LaneRow& row)
+{
+    return {{row.x, row.y}, row.z};
+}
+void setVelocity(LaneRow& row, const JointVelocity& v)
+{
+    row = {v.linear.x, v.linear.y, v.spin, 0};
+}
+JointVelocity velocityOf(const Motion& m)
+{
+    return {m.velocity, m.spin};
+}
+void setVelocity(Motion& m, const JointVelocity& v)
+{
+    m.velocity = v.linear;
+    m.spin = v.spin;
+}
+
+// One visit to a joint; returns the greatest change of speed.
+template <class Velocity>
+real visit(JointRows& joint, const std::vector<Motion>& motions, std::vector<Velocity>& velocities)
+{
+    const Motion &a = motions[joint.rowA], &b = motions[joint.rowB];
+    JointVelocity va = velocityOf(velocities[joint.rowA]), vb = velocityOf(velocities[joint.rowB]);
+    const real change = solveRows(joint, a, b, va, vb);
+    if (a.moves()) setVelocity(velocities[joint.rowA], va);
+    if (b.moves()) setVelocity(velocities[joint.rowB], vb);
+    return change;
+}
+
+// One visit to a group at once; where that finds no solution, to its joints one by one.
+template <class Velocity>
+real visitGroup(DirectGroup& group, JointSystem& system, const std::vector<Motion>& motions,
+                std::vector<Velocity>& velocities)
+{
+    std::vector<JointVelocity>& own = system.velocities;
+    own.clear();
+    for (const std::uint32_t row : group.rows) own.push_back(velocityOf(velocities[row]));
+    real change = solveDirect(group, system.joints, motions, own);
+    if (change >= 0) {
+        for (std::size_t n = 0; n < group.rows.size(); ++n) setVelocity(velocities[group.rows[n]], own[n]);
+        return change;
+    }
+    for (const std::uint32_t j : group.joints)
+        change = maximum(change, visit(system.joints[j], motions, velocities));
+    ++system.fallbacks;
+    return change;
+}
+
+}  // namespace
+
+void passOverJoints(const JointWorld& world, JointSystem& system, real restless, const std::uint8_t* visited,
+                    std::vector<LaneRow>& velocities, std::vector<std::uint8_t>& unrest)
+{
+    const std::vector<Motion>& motions = world.motions.rows;
+    const auto islandOf = [&](const JointRows& joint) {
+        return world.islands.islandOf[motions[joint.rowA].moves() ? joint.rowA : joint.rowB];
+    };
+    const auto isVisited = [&](const JointRows& joint) {
+        return visited == nullptr || visited[islandOf(joint)] != 0;
+    };
+    for (JointRows& joint : system.joints) {
+        if (!isVisited(joint)) continue;
+        if (visited != nullptr)
+            aimJoint(world.joints, world.bodies, world.motions, velocityOf(velocities[joint.rowA]),
+                     velocityOf(velocities[joint.rowB]), world.context, joint);
+        if (system.stiffGroups[joint.group]) continue;
+        if (visit(joint, motions, velocities) > restless) unrest[islandOf(joint)] = 1;
+    }
+    for (std::size_t d = 0; d < system.directCount; ++d) {
+        DirectGroup& group = system.direct[d];
+        const JointRows& first = system.joints[group.joints.front()];
+        if (!isVisited(first)) continue;
+        if (visitGroup(group, system, motions, velocities) > restless) unrest[islandOf(first)] = 1;
+    }
+}
+
+void flattenJoints(const JointWorld& world, JointSystem& system, std::vector<LaneRow>& velocities)
+{
+    const real trusted = kTrust * world.context.lengthUnit;
+    std::vector<std::uint8_t>& lost = system.lostGroups;
+    lost.assign(system.wholeGroups.size(), 0);
+    for (JointRows& joint : system.joints) {
+        const real change =
+            aimJoint(world.joints, world.bodies, world.motions, velocityOf(velocities[joint.rowA]),
+                     velocityOf(velocities[joint.rowB]), world.context, joint);
+        if (!(change <= trusted)) lost[joint.group] = 1;
+    }
+    for (JointRows& joint : system.joints) {
+        joint.lost = lost[joint.group] != 0;
+        if (!joint.lost) continue;
+        flattenRows(joint, world.context);
+        if (!system.stiffGroups[joint.group]) visit(joint, world.motions.rows, velocities);
+    }
+    for (std::size_t d = 0; d < system.directCount; ++d)
+        if (lost[system.joints[system.direct[d].joints.front()].group])
+            visitGroup(system.direct[d], system, world.motions.rows, velocities);
+}
+
+void settleJoints(JointSystem& system, std::vector<Motion>& rows, std::vector<TickChange>& changes,
+                  const StepContext& context)
+{
+    const real restless = context.tuning.restless * context.lengthUnit;
+    std::vector<JointVelocity> old(rows.size());
+    for (std::size_t i = 0; i < rows.size(); ++i) old[i] = velocityOf(rows[i]);
+    std::vector<real> unrest(system.wholeGroups.size()), before;
+    for (int pass = 0; pass <= context.tuning.extraPasses; ++pass) {
+        for (JointRows& joint : system.joints) {
+            if (system.stiffGroups[joint.group]) continue;
+            if (!before.empty() && !(before[joint.group] > restless)) continue;
+            unrest[joint.group] = maximum(unrest[joint.group], visit(joint, rows, rows));
+        }
+        before.swap(unrest);
+        unrest.assign(before.size(), 0);
+        if (std::none_of(before.begin(), before.end(), [&](real u) { return u > restless; })) break;
+    }
+    for (std::size_t d = 0; d < system.directCount; ++d) visitGroup(system.direct[d], system, rows, rows);
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+        if (system.groupOf[i] == JointSystem::kNone) continue;
+        const Vec2 change = rows[i].velocity - old[i].linear;
+        const real turn = rows[i].spin - old[i].spin;
+        changes[i].velocity += change;
+        changes[i].spin += turn;
+        rows[i].steady += change;
+        rows[i].steadySpin += turn;
+    }
+}
+
+}  // namespace tamias2d::inline TAMIAS_PRECISION

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: MIT
+// Visits to joints, as part of the passes over contacts, and after the drift.
+#pragma once
+
+#include "islands/links.hpp"
+#include "joints/tick.hpp"
+#include "math/lane.hpp"
+#include "solver/calm.hpp"
+
+#include <vector>
+
+namespace tamias2d::inline TAMIAS_PRECISION {
+
+/// What visits to joints need to know.
+struct JointWorld {
+    const JointTable& joints;
+    const BodyTable& bodies;
+    const MotionTable& motions;
+    const Islands& islands;
+    const StepContext& context;
+};
+
+/// One pass over the joints, in the islands that `visited` says, which aim anew; over all if it is null. Sets
+/// `unrest` of islands of which a speed was changed by more than `restless` [m/s].
+void passOverJoints(const JointWorld& world, JointSystem& system, real restless, const std::uint8_t* visited,
+                    std::vector<LaneRow>& velocities, std::vector<std::uint8_t>& unrest);
+
+/// After the passes: where bodies turn so fast that these did not find where they go, as near a dead point of
+/// a linkage, joints are asked to move nothing apart instead, and what they did is not carried on.
+void flattenJoints(const JointWorld& world, JointSystem& system, std::vector<LaneRow>& velocities);
+
+/// After the second kick: what is tied together does not go on moving apart. Adds what that changes to
+/// `changes` and to `steady`.
+void settleJoints(JointSystem& system, std::vector<Motion>& rows, std::vector<TickChange>& changes,
+                  const StepContext& context);
+
+}  // namespace tamias2d::inline TAMIAS_PRECISION

@@ -1,0 +1,203 @@
+// SPDX-License-Identifier: MIT
+// The rules of what a joint may be [R4].
+
+#include "world/impl.hpp"
+
+namespace tamias2d::inline TAMIAS_PRECISION {
+namespace {
+
+constexpr double kUnbounded = static_cast<double>(kUnlimited);
+constexpr double kMaxTurn = 1e6;        // [rad]
+constexpr double kMaxFrequency = 1e6;   // [Hz]
+
+// How the numbers of a kind are called and bounded.
+struct Units {
+    std::string name;         // "RevoluteJoint."
+    double most;              // of a place   [m] or [rad]
+    double mostSpeed;         // [m/s] or [rad/s]
+    std::string_view place, speed, force;
+};
+
+Units turning(std::string name)
+{
+    return {std::move(name), kMaxTurn, kMaxSpin, "rad", "rad/s", "N*m"};
+}
+Units sliding(std::string name, real lengthUnit)
+{
+    const double unit = static_cast<double>(lengthUnit);
+    return {std::move(name), kMaxSize * unit, kMaxSpeed * unit, "m", "m/s", "N"};
+}
+
+std::string within(double most, std::string_view unit)
+{
+    return "must be finite and within +-" + textOf(most) + " " + std::string(unit);
+}
+
+void addAnchor(Checks& checks, const std::string& field, Vec2 anchor, real lengthUnit)
+{
+    const double most = kMaxSize * static_cast<double>(lengthUnit);
+    checks.that(isFiniteValue(anchor) && length(toDVec2(anchor)) <= most, field, anchor,
+                "must be finite, its length at most " + textOf(most) + " m");
+}
+
+void addAngle(Checks& checks, const std::string& field, double angle)
+{
+    checks.range(field, angle, -kMaxTurn, kMaxTurn, within(kMaxTurn, "rad"));
+}
+
+void addForce(Checks& checks, const std::string& field, real force, std::string_view unit)
+{
+    checks.range(field, force, 0, kUnbounded, "must be in [0, kUnlimited] " + std::string(unit));
+}
+
+void addLimits(Checks& checks, const Units& units, const std::optional<JointLimits>& limits)
+{
+    if (!limits) return;
+    const auto isPlace = [&](real place) {
+        return absolute(static_cast<double>(place)) <= units.most || absolute(place) == kUnlimited;
+    };
+    const std::string rule = within(units.most, units.place) + ", or kUnlimited";
+    checks.that(isPlace(limits->lower), units.name + "limits.lower", limits->lower, rule)
+        .that(isPlace(limits->upper), units.name + "limits.upper", limits->upper, rule)
+        .that(limits->lower <= limits->upper, units.name + "limits.lower", limits->lower,
+              "must not exceed limits.upper");
+}
+
+void addMotor(Checks& checks, const Units& units, const std::optional<JointMotor>& motor)
+{
+    if (!motor) return;
+    checks.range(units.name + "motor.speed", motor->speed, -units.mostSpeed, units.mostSpeed,
+                 within(units.mostSpeed, units.speed));
+    addForce(checks, units.name + "motor.maxForce", motor->maxForce, units.force);
+}
+
+void addSpring(Checks& checks, const std::string& field, const JointSpring& spring, double most,
+               std::string_view unit)
+{
+    checks.range(field + "frequency", spring.frequency, 0, kMaxFrequency, "must be in [0, 1e6] Hz")
+        .range(field + "dampingRatio", spring.dampingRatio, 0, 1e6, "must be in [0, 1e6]")
+        .range(field + "rest", spring.rest, -most, most, most > 0 ? within(most, unit) : "must be 0");
+}
+
+void addSpring(Checks& checks, const Units& units, const std::optional<JointSpring>& spring)
+{
+    if (spring) addSpring(checks, units.name + "spring.", *spring, units.most, units.place);
+}
+
+Complaint checkKind(const RevoluteJoint& k, real lengthUnit)
+{
+    const Units units = turning("RevoluteJoint.");
+    Checks checks;
+    addAnchor(checks, "RevoluteJoint.anchorA", k.anchorA, lengthUnit);
+    addAnchor(checks, "RevoluteJoint.anchorB", k.anchorB, lengthUnit);
+    addAngle(checks, "RevoluteJoint.referenceAngle", k.referenceAngle);
+    addLimits(checks, units, k.limits);
+    addMotor(checks, units, k.motor);
+    addSpring(checks, units, k.spring);
+    return checks.first();
+}
+
+Complaint checkKind(const DistanceJoint& k, real lengthUnit)
+{
+    const Units units = sliding("DistanceJoint.", lengthUnit);
+    const double least = kMinSize * static_cast<double>(lengthUnit);
+    Checks checks;
+    addAnchor(checks, "DistanceJoint.anchorA", k.anchorA, lengthUnit);
+    addAnchor(checks, "DistanceJoint.anchorB", k.anchorB, lengthUnit);
+    checks.range("DistanceJoint.length", k.length, least, units.most,
+                 "must be in [" + textOf(least) + ", " + textOf(units.most) + "] m");
+    addLimits(checks, units, k.limits);
+    if (k.limits)
+        checks.that(k.limits->lower >= 0, "DistanceJoint.limits.lower", k.limits->lower, "must be >= 0 m")
+            .that(k.limits->upper > 0, "DistanceJoint.limits.upper", k.limits->upper, "must be > 0 m");
+    addMotor(checks, units, k.motor);
+    addSpring(checks, units, k.spring);
+    if (k.spring)
+        checks.that(k.spring->rest >= 0, "DistanceJoint.spring.rest", k.spring->rest, "must be >= 0 m");
+    return checks.first();
+}
+
+Complaint checkKind(const PrismaticJoint& k, real lengthUnit)
+{
+    const Units units = sliding("PrismaticJoint.", lengthUnit);
+    const double axis = length(toDVec2(k.axis));
+    Checks checks;
+    addAnchor(checks, "PrismaticJoint.anchorA", k.anchorA, lengthUnit);
+    addAnchor(checks, "PrismaticJoint.anchorB", k.anchorB, lengthUnit);
+    checks.that(isFiniteValue(k.axis) && axis >= 1e-6 && axis <= kMaxSize, "PrismaticJoint.axis", k.axis,
+                "must be finite, its length in [1e-6, 1e6]");
+    addAngle(checks, "PrismaticJoint.referenceAngle", k.referenceAngle);
+    addLimits(checks, units, k.limits);
+    addMotor(checks, units, k.motor);
+    addSpring(checks, units, k.spring);
+    return checks.first();
+}
+
+Complaint checkKind(const WeldJoint& k, real lengthUnit)
+{
+    Checks checks;
+    addAnchor(checks, "WeldJoint.anchorA", k.anchorA, lengthUnit);
+    addAnchor(checks, "WeldJoint.anchorB", k.anchorB, lengthUnit);
+    addAngle(checks, "WeldJoint.referenceAngle", k.referenceAngle);
+    if (k.linear) addSpring(checks, "WeldJoint.linear.", *k.linear, 0, "m");
+    if (k.angular) addSpring(checks, "WeldJoint.angular.", *k.angular, 0, "rad");
+    return checks.first();
+}
+
+Complaint checkKind(const TargetJoint& k, real lengthUnit)
+{
+    Checks checks;
+    addAnchor(checks, "TargetJoint.anchor", k.anchor, lengthUnit);
+    checks.add(checkPosition("TargetJoint.target", k.target, lengthUnit));
+    addAngle(checks, "TargetJoint.angle", k.angle.value_or(0));
+    checks
+        .that(k.frequency > 0 && static_cast<double>(k.frequency) <= kMaxFrequency, "TargetJoint.frequency",
+              k.frequency, "must be > 0 and at most 1e6 Hz")
+        .range("TargetJoint.dampingRatio", k.dampingRatio, 0, 1e6, "must be in [0, 1e6]");
+    addForce(checks, "TargetJoint.maxForce", k.maxForce, "N");
+    addForce(checks, "TargetJoint.maxTorque", k.maxTorque, "N*m");
+    return checks.first();
+}
+
+}  // namespace
+
+Complaint check(const JointKind& kind, real lengthUnit)
+{
+    return std::visit([&](const auto& k) { return checkKind(k, lengthUnit); }, kind);
+}
+
+Complaint check(const JointBreaking& b)
+{
+    const auto isPositive = [](real value) { return value > 0 && value <= kUnlimited; };
+    constexpr std::string_view rule = "must be > 0 and at most kUnlimited";
+    return Checks()
+        .that(isPositive(b.force), "JointBreaking.force", b.force, rule)
+        .that(isPositive(b.torque), "JointBreaking.torque", b.torque, rule)
+        .that(isPositive(b.error), "JointBreaking.error", b.error, rule)
+        .first();
+}
+
+Complaint World::Impl::check(const JointDef& def) const
+{
+    const auto textOfId = [](BodyId body) {
+        return body.isNull() ? std::string("null")
+                             : textOf(body.index) + " (generation " + textOf(body.generation) + ")";
+    };
+    const auto complain = [&](std::string_view field, BodyId body, std::string_view rule) -> Complaint {
+        return InputError(std::string(field), textOfId(body), std::string(rule));
+    };
+    if (!bodies.ids.owns(def.bodyA))
+        return complain("JointDef.bodyA", def.bodyA, "must be a live body of this world");
+    if (!bodies.ids.owns(def.bodyB))
+        return complain("JointDef.bodyB", def.bodyB, "must be a live body of this world");
+    if (def.bodyA == def.bodyB)
+        return complain("JointDef.bodyB", def.bodyB, "must be another body than bodyA");
+    if (!row(def.bodyA).isDynamic() && !row(def.bodyB).isDynamic())
+        return complain("JointDef.bodyB", def.bodyB, "must be dynamic, as bodyA is not");
+    return Checks()
+        .add(tamias2d::check(def.kind, settings.lengthUnit))
+        .add(tamias2d::check(def.breaking))
+        .first();
+}
+
+}  // namespace tamias2d::inline TAMIAS_PRECISION

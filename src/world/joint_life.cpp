@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: MIT
+// Joints come and go, and the calls of World and Body that say so.
+
+#include "world/impl.hpp"
+
+#include <algorithm>
+
+namespace tamias2d::inline TAMIAS_PRECISION {
+
+JointId World::Impl::createJoint(const JointDef& def)
+{
+    const JointId joint = joints.ids.take();
+    if (joint.index == joints.rows.size()) joints.rows.emplace_back();
+    JointRow& j = joints.rows[joint.index];
+    j = {};
+    j.def = def;
+    j.bodyA = def.bodyA.index;
+    j.bodyB = def.bodyB.index;
+    j.angle =
+        countTurns(bodies.rows[j.bodyA].angle, bodies.rows[j.bodyB].angle, framesOf(def.kind).reference);
+    joints.ofBody[j.bodyA].push_back(joint.index);
+    joints.ofBody[j.bodyB].push_back(joint.index);
+    disturbJoint(joint.index);
+    return joint;
+}
+
+// Something about the joint changes: its bodies wake.
+void World::Impl::disturbJoint(std::uint32_t slot)
+{
+    uncoupledIsStale = true;
+    for (const std::uint32_t body : {joints.rows[slot].bodyA, joints.rows[slot].bodyB}) {
+        bodies.rows[body].stillTime = 0;
+        wake(body);
+    }
+}
+
+void World::Impl::listUncoupled()
+{
+    if (!uncoupledIsStale) return;
+    uncoupledIsStale = false;
+    uncoupled.clear();
+    for (std::uint32_t slot = 0; slot < joints.rows.size(); ++slot) {
+        const JointRow& joint = joints.rows[slot];
+        if (!joints.ids.isAlive(slot) || !joint.acts() || joint.def.collideConnected) continue;
+        uncoupled.emplace_back(minimum(joint.bodyA, joint.bodyB), maximum(joint.bodyA, joint.bodyB));
+    }
+    std::sort(uncoupled.begin(), uncoupled.end());
+}
+
+void World::Impl::destroyJoint(std::uint32_t slot)
+{
+    disturbJoint(slot);
+    for (const std::uint32_t body : {joints.rows[slot].bodyA, joints.rows[slot].bodyB})
+        std::erase(joints.ofBody[body], slot);
+    joints.rows[slot] = {};
+    joints.ids.giveBack(slot);
+}
+
+namespace {
+
+Complaint checkJointId(bool alive, const JointId& id)
+{
+    if (alive) return std::nullopt;
+    const std::string given =
+        id.isNull() ? "null" : textOf(id.index) + " (generation " + textOf(id.generation) + ")";
+    return InputError("JointId", given, "must be a live joint of this world");
+}
+
+}  // namespace
+
+Joint World::createJoint(const JointDef& def)
+{
+    if (refuse(impl_->check(def))) return {};
+    return {this, impl_->createJoint(def)};
+}
+
+void World::destroyJoint(JointId id)
+{
+    if (refuse(checkJointId(impl_->joints.ids.owns(id), id))) return;
+    impl_->destroyJoint(id.index);
+}
+
+Joint World::joint(JointId id)
+{
+    if (refuse(checkJointId(impl_->joints.ids.owns(id), id))) return {};
+    return {this, id};
+}
+
+std::optional<Joint> World::findJoint(JointId id) noexcept
+{
+    if (!impl_->joints.ids.owns(id)) return std::nullopt;
+    return Joint(this, id);
+}
+
+std::optional<Joint> World::findJoint(std::string_view name) noexcept
+{
+    for (std::uint32_t slot = 0; slot < impl_->joints.rows.size(); ++slot)
+        if (impl_->joints.ids.isAlive(slot) && impl_->joints.rows[slot].def.name == name)
+            return Joint(this, impl_->joints.ids.id(slot));
+    return std::nullopt;
+}
+
+std::vector<JointId> World::joints() const
+{
+    std::vector<JointId> all;
+    for (std::uint32_t slot = 0; slot < impl_->joints.rows.size(); ++slot)
+        if (impl_->joints.ids.isAlive(slot)) all.push_back(impl_->joints.ids.id(slot));
+    return all;
+}
+
+std::size_t World::jointCount() const noexcept
+{
+    return impl_->joints.ids.alive();
+}
+
+std::vector<Joint> Body::joints() const
+{
+    std::vector<Joint> all;
+    World* const w = alive();
+    if (!w) return all;
+    for (const std::uint32_t slot : w->impl_->joints.ofBody[id_.index])
+        all.push_back(Joint(w, w->impl_->joints.ids.id(slot)));
+    return all;
+}
+
+}  // namespace tamias2d::inline TAMIAS_PRECISION

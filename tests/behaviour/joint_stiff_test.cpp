@@ -1,0 +1,219 @@
+// SPDX-License-Identifier: MIT
+// Joints under loads many times their bodies' masses: they hold, keep energy and momentum, and find no end.
+#include "support/build.hpp"
+#include "support/run.hpp"
+#include "support/traces.hpp"
+
+#include <gtest/gtest.h>
+
+namespace tamias2d {
+namespace {
+
+using namespace test;
+
+// Chains here touch nothing: what is seen is the joints.
+void keepApart(World& world)
+{
+    for (const BodyId id : world.bodies())
+        for (Shape shape : world.body(id).shapes()) shape.setFilter({1, 1, -1});
+}
+
+double sumOfErrors(const std::vector<Joint>& joints)
+{
+    double sum = 0;
+    for (const Joint& joint : joints) sum += static_cast<double>(joint.reading().error);
+    return sum;
+}
+
+// Links of 0.5 m, level, from a static pivot, and a disc of `ratio` times a link's mass at the end.
+struct Chain {
+    World world;
+    std::vector<Joint> joints;
+    double length = 0;   // [m]
+    double mass = 0;     // [kg]
+
+    Chain(int links, double ratio)
+    {
+        constexpr double kLink = 0.5, kRadius = 0.3;
+        length = links * kLink;
+        Body last = addDisc(world, {0, 0}, 0.05, {.type = BodyType::Static});
+        for (int i = 0; i < links; ++i) {
+            Body link = addBox(world, {kLink * (i + 0.5), 0}, kLink, 0.1);
+            joints.push_back(world.createJoint(revoluteAt(last, link, {kLink * i, 0})));
+            last = link;
+            mass += static_cast<double>(link.mass());
+        }
+        const double heavy = ratio * static_cast<double>(last.mass());
+        Body load =
+            addDisc(world, {length + kRadius, 0}, kRadius, {.density = heavy / (kPi * kRadius * kRadius)});
+        joints.push_back(world.createJoint(revoluteAt(last, load, {length, 0})));
+        mass += heavy;
+        keepApart(world);
+    }
+};
+
+struct ChainCase {
+    int links;
+    double ratio, allowed;
+};
+void PrintTo(const ChainCase& c, std::ostream* out)
+{
+    *out << c.links << " links, end load " << c.ratio << " of one";
+}
+
+class ChainOf : public testing::TestWithParam<ChainCase> {};
+
+TEST_P(ChainOf, DoesNotStretchWhileItSwingsFromLevel)
+{
+    TRACES("LC3", "NFR2");
+    Chain chain(GetParam().links, GetParam().ratio);
+    double worst = 0, lowest = chain.world.energy().total(), rise = 0;
+    std::uint32_t fallbacks = 0;
+    runSeconds(chain.world, 20, 60, 4, [&] {
+        worst = std::max(worst, sumOfErrors(chain.joints) / chain.length);
+        const double energy = chain.world.energy().total();
+        lowest = std::min(lowest, energy);
+        rise = std::max(rise, energy - lowest);
+        fallbacks += chain.world.lastReport().stiffFallbacks;
+    });
+    EXPECT_LT(worst, GetParam().allowed);
+    EXPECT_LT(rise / (chain.mass * 9.81), 0.1);  // as a lift of all of it [m]; it falls by several meters
+    EXPECT_EQ(fallbacks, 0u);
+}
+
+INSTANTIATE_TEST_SUITE_P(Joints, ChainOf,
+                         testing::Values(ChainCase{20, 1, 0.0025}, ChainCase{20, 100, 0.0015},
+                                         ChainCase{20, 1000, 0.0015}, ChainCase{20, 10000, 0.0015},
+                                         ChainCase{50, 1, 0.007}, ChainCase{50, 100, 0.0015},
+                                         ChainCase{50, 1000, 0.0015}, ChainCase{50, 10000, 0.0015}));
+
+TEST(StiffJoints, ABeamOfWeldsBearsAThousandTimesItsPart)
+{
+    TRACES("LC3", "NFR2");
+    World world;
+    Body last = addBox(world, {-0.5, 0}, 1, 1, {.type = BodyType::Static});
+    std::vector<Joint> joints;
+    for (int i = 0; i < 10; ++i) {
+        Body part = addBox(world, {0.5 * i + 0.25, 0}, 0.5, 0.2);
+        joints.push_back(world.createJoint(weldAt(last, part, {0.5 * i, 0})));
+        last = part;
+    }
+    Body load = addBox(world, {5.5, 0}, 1, 1, {.density = 100});  // 100 kg on parts of 0.1 kg
+    joints.push_back(world.createJoint(weldAt(last, load, {5, 0})));
+    keepApart(world);
+    double worst = 0;
+    runSeconds(world, 5, 60, 4, [&] { worst = std::max(worst, sumOfErrors(joints) / 5); });
+    EXPECT_LT(worst, 1e-4);
+    EXPECT_NEAR(centerOf(load).y, 0, 5e-3);
+    const double weight = 101 * 9.81, lever = (100 * 5.5 + 1 * 2.5) / 101;
+    EXPECT_LT(relativeError(static_cast<double>(joints[0].reading().force.y), weight), 0.01);
+    EXPECT_LT(relativeError(static_cast<double>(joints[0].reading().torque), weight * lever), 0.01);
+}
+
+TEST(StiffJoints, AFourBarLinkageTurnsUnderAHeavyCoupler)
+{
+    TRACES("LC3", "NFR2");
+    World world;
+    Body base = addDisc(world, {0, 0}, 0.1, {.type = BodyType::Static});
+    Body crank = addBox(world, {0, 0.5}, 0.1, 1), rocker = addBox(world, {3, 0.5}, 0.1, 1);
+    Body coupler = addBox(world, {1.5, 1}, 3, 0.1, {.density = 100.0 / 3});
+    const std::vector<Joint> joints = {world.createJoint(revoluteAt(base, crank, {0, 0})),
+                                       world.createJoint(revoluteAt(crank, coupler, {0, 1})),
+                                       world.createJoint(revoluteAt(coupler, rocker, {3, 1})),
+                                       world.createJoint(revoluteAt(base, rocker, {3, 0}))};
+    keepApart(world);
+    crank.setAngularVelocity(-1);
+    rocker.setAngularVelocity(-1);
+    coupler.setLinearVelocity(vec(1, 0));
+    double worst = 0;
+    runSeconds(world, 20, 60, 4, [&] { worst = std::max(worst, sumOfErrors(joints) / 5); });
+    EXPECT_LT(worst, 1e-4);
+}
+
+TEST(StiffJoints, ADoublePendulumKeepsItsEnergy)
+{
+    TRACES("LC3", "NFR2", "DD15", "DD16");
+    World world;
+    Body pivot = addDisc(world, {0, 0}, 0.1, {.type = BodyType::Static});
+    Body upper = addBox(world, {0.5, 0}, 1, 0.1), lower = addBox(world, {1.5, 0}, 1, 0.1);
+    world.createJoint(revoluteAt(pivot, upper, {0, 0}));
+    world.createJoint(revoluteAt(upper, lower, {1, 0}));
+    keepApart(world);
+    const double start = world.energy().total();
+    double drift = 0;
+    runSeconds(world, 60, 60, 4, [&] { drift = std::max(drift, std::abs(world.energy().total() - start)); });
+    EXPECT_LT(drift / (static_cast<double>(upper.mass()) * 9.81 * 2), 0.01);
+}
+
+TEST(StiffJoints, AFreeChainKeepsMomentumAndEnergy)
+{
+    TRACES("LC3", "GD1", "NFR2");
+    World world(weightless());
+    Body last;
+    for (int i = 0; i < 20; ++i) {
+        const double x = 0.5 * i - 4.75;
+        Body link = addBox(world, {x, 0}, 0.5, 0.1, {.velocity = vec(0.3, 2 * x), .spin = 2});
+        if (i > 0) world.createJoint(revoluteAt(last, link, {x - 0.25, 0}));
+        last = link;
+    }
+    last.applyImpulseToCenter(vec(0, 0.02));  // it does not stay straight
+    keepApart(world);
+    const Momentum before = world.momentum();
+    const double start = world.energy().total();
+    runSeconds(world, 20);
+    const Momentum after = world.momentum();
+    EXPECT_LT(relativeError(after.linear, before.linear), byPrecision(1e-6, 1e-5));
+    EXPECT_LT(relativeError(after.angular, before.angular), byPrecision(1e-4, 2e-4));
+    EXPECT_LT(relativeError(world.energy().total(), start), 1e-3);
+}
+
+TEST(StiffJoints, AStiffGroupBesideOthersMovesAsIfAlone)
+{
+    TRACES("LC3", "ADR6");
+    const auto endOf = [](bool accompanied) {
+        World world;
+        Body last = addDisc(world, {0, 0}, 0.05, {.type = BodyType::Static});
+        for (int i = 0; i < 8; ++i) {
+            Body link = addBox(world, {0.5 * i + 0.25, 0}, 0.5, 0.1, {.density = i == 7 ? 1000.0 : 1.0});
+            world.createJoint(revoluteAt(last, link, {0.5 * i, 0}));
+            last = link;
+        }
+        if (accompanied) {
+            Body hook = addDisc(world, {50, 0}, 0.05, {.type = BodyType::Static});
+            for (int i = 0; i < 6; ++i) {
+                Body bob = addDisc(world, {51.0 + i, 0}, 0.2, {.density = i == 5 ? 500.0 : 1.0});
+                world.createJoint(revoluteAt(hook, bob, {50.5 + i, 0}));
+                hook = bob;
+            }
+        }
+        keepApart(world);
+        runSeconds(world, 5);
+        return last.transform();
+    };
+    const Transform alone = endOf(false), accompanied = endOf(true);
+    EXPECT_EQ(alone.position, accompanied.position);
+    EXPECT_EQ(alone.angle, accompanied.angle);
+}
+
+TEST(StiffJoints, RedundantAndContradictoryJointsDoNoHarm)
+{
+    TRACES("LC3", "R4");
+    World world;
+    Body base = addBox(world, {0, 0}, 1, 1, {.type = BodyType::Static});
+    Body box = addBox(world, {2, 0}, 1, 1), other = addBox(world, {4, 0}, 1, 1, {.density = 50});
+    for (int i = 0; i < 3; ++i) {
+        world.createJoint(weldAt(base, box, {1, 0}));
+        world.createJoint(weldAt(box, other, {3, 0}));
+        world.createJoint(revoluteAt(base, other, {2, 0}));
+    }
+    JointDef wrong = revoluteAt(base, other, {2, 0});
+    std::get<RevoluteJoint>(wrong.kind).anchorB = vec(-2, 0.3);  // 0.3 m beside the others' place
+    world.createJoint(wrong);
+    const RunTotals totals = runSeconds(world, 5);
+    EXPECT_EQ(totals.faults, 0u);
+    EXPECT_LT(fastestBody(world), 1);
+    EXPECT_LT(length(centerOf(other) - DVec2{4, 0}), 0.5);
+}
+
+}  // namespace
+}  // namespace tamias2d
