@@ -16,6 +16,7 @@ from pathlib import Path
 
 ROOT = Path(__file__).resolve().parent.parent
 PAGE = ROOT / "docs" / "performance.md"
+PICTURE = ROOT / "docs" / "images" / "performance.svg"
 PEERS = ["bench_box2d3", "bench_box2d2", "bench_chipmunk"]
 OURS = "tamias_bench"
 
@@ -30,7 +31,7 @@ def main() -> int:
     parser.add_argument("--steps", type=int, metavar="N", help="a scene, instead of its own number")
     parser.add_argument("--threads", type=int, default=1, metavar="N", help="for engines that have any (default 1)")
     parser.add_argument("--json", type=Path, metavar="FILE", help="write all figures there")
-    parser.add_argument("--page", action="store_true", help="write docs/performance.md")
+    parser.add_argument("--page", action="store_true", help="write docs/performance.md and its picture")
     parser.add_argument("--build", type=Path, default=ROOT / "build" / "release", help=argparse.SUPPRESS)
     args = parser.parse_args()
     programs = args.build.resolve() / "bin"
@@ -49,8 +50,11 @@ def main() -> int:
     if args.json:
         args.json.write_text(json.dumps(record, indent=1) + "\n")
     if args.page:
+        import bench_chart  # wants matplotlib, which nothing else here does
+
         PAGE.write_text(page(record))
-        print(f"wrote {PAGE.relative_to(ROOT)}")
+        bench_chart.draw(record, OURS, PICTURE)
+        print(f"wrote {PAGE.relative_to(ROOT)} and {PICTURE.relative_to(ROOT)}")
     return 0
 
 
@@ -118,6 +122,8 @@ HOW_TO_READ = """\
 with the same numbers, in a program of its own ([apps/bench](../apps/bench)); all take 60 steps a second with
 their defaults. A ratio is their time over ours: above 1, Tamias2D is faster. Overlap, kinetic energy and top
 are measured at the end by one piece of code for all engines.
+
+![For each scene, the time of other engines over that of Tamias2D](images/performance.svg)
 """
 
 
