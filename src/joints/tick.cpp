@@ -54,7 +54,8 @@ void groupBodies(const MotionTable& motions, JointSystem& system)
     std::uint32_t count = 0;
     for (std::uint32_t i = 0; i < group.size(); ++i)
         if (group[i] != JointSystem::kNone) group[i] = root(i);
-    std::vector<std::uint32_t> numbers(group.size());
+    std::vector<std::uint32_t>& numbers = system.numbers;
+    numbers.assign(group.size(), 0);
     for (std::uint32_t i = 0; i < group.size(); ++i) {
         if (group[i] == JointSystem::kNone) continue;
         if (group[i] == i) numbers[i] = count++;
@@ -89,7 +90,9 @@ bool isHeavy(const Motion& a, const Motion& b)
 void chooseStiff(JointTable& table, const std::vector<Motion>& motions, JointSystem& system)
 {
     const std::size_t groups = system.wholeGroups.size();
-    std::vector<std::size_t> members(groups, 0), bodies(groups, 0);
+    std::vector<std::size_t>&members = system.members, &bodies = system.bodies;
+    members.assign(groups, 0);
+    bodies.assign(groups, 0);
     system.stiffGroups.assign(groups, 0);
     for (const std::uint32_t group : system.groupOf)
         if (group != JointSystem::kNone) ++bodies[group];
@@ -108,7 +111,8 @@ void chooseStiff(JointTable& table, const std::vector<Motion>& motions, JointSys
     }
 
     // Their joints, and the order in which their bodies are eliminated.
-    std::vector<std::size_t> placeOf(groups, 0);
+    std::vector<std::size_t>& placeOf = system.placeOf;
+    placeOf.assign(groups, 0);
     system.directCount = 0;
     for (std::size_t g = 0; g < groups; ++g) {
         if (!system.stiffGroups[g]) continue;

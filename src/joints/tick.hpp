@@ -23,6 +23,8 @@ struct JointSystem {
     std::uint32_t fallbacks = 0;             // visits of the step in which a group was not solved at once
     std::vector<JointVelocity> velocities;   // scratch
     std::vector<std::uint32_t> order;        // scratch
+    std::vector<std::uint32_t> numbers;      // by row, scratch
+    std::vector<std::size_t> members, bodies, placeOf;   // by group, scratch
     std::vector<std::uint8_t> hit;           // by row: by an impact in this tick
     std::vector<real> pull;                  // by row, scratch: sum of tension times arm   [N*m*s]
 

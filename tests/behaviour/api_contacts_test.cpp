@@ -196,11 +196,13 @@ double worstOfDd10(World& world, double g, int steps)
     return worst;
 }
 
-// Calming takes speed from loaded bodies that hardly move, by no contact's impulse; it can be switched off.
+// Calming takes speed from loaded bodies that hardly move, and sleep what is left of it, by no contact's
+// impulse; both can be switched off.
 WorldDef withoutCalming()
 {
     WorldDef def = withGravity(0, -10);
     def.tuning.calmRate = 0;
+    def.allowSleep = false;
     return def;
 }
 
