@@ -6,6 +6,10 @@
 
 namespace tamias2d::inline TAMIAS_PRECISION {
 
+/// A kind of joint that may have a motor.
+template <class Kind>
+concept HasMotor = requires(Kind k) { k.motor->speed; };
+
 /// Where the two bodies of a joint are, or are expected to be.
 struct JointPose {
     Vec2 armA, armB;          // from the centers of mass to the anchors   [m]

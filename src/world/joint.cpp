@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <tamias2d/world/joint.hpp>
 
+#include "joints/kinds.hpp"
 #include "joints/reading.hpp"
 #include "world/impl.hpp"
 
@@ -137,13 +138,6 @@ void Joint::setBreaking(const JointBreaking& breaking)
     w->impl_->disturbJoint(id_.index);
     j.def.breaking = breaking;
 }
-
-namespace {
-
-template <class Kind>
-concept HasMotor = requires(Kind k) { k.motor->speed; };
-
-}  // namespace
 
 void Joint::setMotorSpeed(real speed)
 {

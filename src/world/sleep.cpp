@@ -2,6 +2,7 @@
 // Falling asleep and waking: bodies, shapes and contacts change tables. docs/theory/sleep.md.
 
 #include "contacts/rows.hpp"
+#include "joints/kinds.hpp"
 #include "solver/finalize.hpp"
 #include "world/impl.hpp"
 
@@ -28,9 +29,6 @@ real paceOf(const BodyRow& b, real extent, double dt)
     turn = minimum(turn, kTwoPi - turn);
     return static_cast<real>((length(b.center - b.previousCenter) + turn * static_cast<double>(extent)) / dt);
 }
-
-template <class Kind>
-concept HasMotor = requires(Kind k) { k.motor->speed; };
 
 bool hasRunningMotor(const JointKind& kind)
 {
