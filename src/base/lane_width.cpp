@@ -10,7 +10,8 @@ namespace {
 // As the environment asks for, if it does and the machine can.
 LaneWidth requested() noexcept
 {
-    const char* const text = std::getenv("TAMIAS_LANES");
+    // Worlds are made by one thread at a time with whatever changes the environment.
+    const char* const text = std::getenv("TAMIAS_LANES");  // NOLINT(concurrency-mt-unsafe)
     if (text == nullptr) return LaneWidth::Best;
     const std::string_view name(text);
     const LaneWidth width = name == "scalar" ? LaneWidth::Scalar

@@ -79,8 +79,12 @@ void matchPairs(const ContactWorld& world, const std::vector<ShapePair>& pairs,
 {
     std::vector<Contact>& matched = scratch.matched;
     matched.clear();
-    matched.reserve(contacts.capacity());  // the two take turns
+    // With room for those that are found in mid-step. The two take turns, so both are as large.
+    const std::size_t room = pairs.size() + pairs.size() / 4 + 16;
+    if (contacts.capacity() < room) contacts.reserve(room + room / 2);
+    matched.reserve(contacts.capacity());
     scratch.left.clear();
+    scratch.left.reserve(contacts.size() / 4 + 16);
     const auto leave = [&](const Contact& contact) {
         if (contact.touching) scratch.left.push_back(contact);
     };

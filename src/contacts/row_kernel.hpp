@@ -51,6 +51,7 @@ struct ContactRow {
 /// diagonal and of the determinant. Where the last is 0, or where by rounding no case holds, the points are
 /// visited one after the other. Exact where nothing needs to change: resting impulses keep their bits.
 template <class T>
+// NOLINTNEXTLINE(readability-function-size): a symmetric matrix, its inverses and two vectors
 TAMIAS_INLINE void solveNormalPair(T k1, T k2, T k12, T i1, T i2, T i12, T r1, T r2, T& x1, T& x2)
 {
     const T zero(real(0));

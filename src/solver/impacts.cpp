@@ -69,6 +69,7 @@ ImpactSolver::ImpactSolver(ImpactStage& stage, const StepContext& context, int t
     scratch_.versions.assign(contacts, 0);
     scratch_.placed.assign(contacts, false);
     scratch_.queue.clear();
+    scratch_.queue.reserve(4 * contacts + 64);  // those that are found anew leave the old ones behind
 }
 
 // Nobody looks at the flight of a body, or at a contact in its lane, before this.

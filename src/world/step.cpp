@@ -129,6 +129,7 @@ void World::Impl::setAside()
     }
 }
 
+// One function to read from top to bottom. NOLINTNEXTLINE(readability-function-size)
 StepReport World::Impl::step(double dt, int substeps)
 {
     StepReport r;
