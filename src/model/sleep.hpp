@@ -19,6 +19,16 @@ struct SleepGroup {
     std::vector<std::array<double, 3>> lawForces;   // and torque, by body, when the laws were last asked
     bool lawsWereAsked = false;
     bool isMet = false;                    // by a body of the step that is being gathered
+
+    /// As new, but for the memory, which is kept for the next group.
+    void clear()
+    {
+        bodies.clear();
+        contacts.clear();
+        lawForces.clear();
+        lawsWereAsked = false;
+        isMet = false;
+    }
 };
 
 /// All groups. A free one has no bodies.

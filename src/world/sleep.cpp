@@ -99,10 +99,7 @@ void World::Impl::wakeGroup(std::uint32_t number, bool withContacts)
         contactsAreSorted = false;
         contacts.rows.insert(contacts.rows.end(), group.contacts.begin(), group.contacts.end());
     }
-    group.bodies.clear();  // and the like: their memory is kept for the next group
-    group.contacts.clear();
-    group.lawForces.clear();
-    group.lawsWereAsked = false;
+    group.clear();
     asleep.free.push_back(number);
 }
 
@@ -275,7 +272,8 @@ void World::Impl::storeContacts()
         const Contact& c = contacts.rows[i];
         const BodyRow &a = bodies.rows[shapes.rows[c.shapeA].body],
                       &b = bodies.rows[shapes.rows[c.shapeB].body];
-        const std::uint32_t group = a.group != BodyRow::kNoGroup ? a.group : b.group;
+        // It goes with a body that can move: what is locked may sleep under one that is awake.
+        const std::uint32_t group = a.canMove() ? a.group : b.group;
         // With a body that has just been disabled it ends in the next step, whoever sleeps.
         if (group == BodyRow::kNoGroup || !a.enabled || !b.enabled) {
             if (kept != i) contacts.rows[kept] = c;

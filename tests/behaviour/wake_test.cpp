@@ -220,6 +220,48 @@ TEST(Waking, FollowsFromABodyThatMeetsThemAndNotFromOneThatPasses)
     EXPECT_GT(velocityOf(s.top()).x, 0.01) << "it took part in the impact";
 }
 
+// A group's place in the table is used again by whoever sleeps next.
+TEST(Waking, FollowsFromEveryMeetingAsFromTheFirst)
+{
+    TRACES("R6", "R8", "ADR25");
+    World world;
+    addGround(world);
+    Body box = addBox(world, {0, 0.5}, 1, 1);
+    for (int round = 0; round < 4; ++round) {
+        runSeconds(world, 2);
+        ASSERT_TRUE(box.isAsleep()) << "round " << round;
+        Body ball = addDisc(world, {0, 1.4}, 0.25);
+        bool woke = false;
+        for (int i = 0; i < 60; ++i) {
+            world.step();
+            woke = woke || box.isAwake();
+            ASSERT_GT(ball.position().y, 1.2) << "round " << round << ", step " << i;
+        }
+        EXPECT_TRUE(woke) << "round " << round;
+        ball.destroy();
+    }
+}
+
+// What cannot move sleeps as a dynamic body does, and bears what does not.
+TEST(Waking, OfALockedSupportKeepsUpWhatIsAwakeOnIt)
+{
+    TRACES("R6", "R8", "ADR25");
+    World world;
+    Body plank = addBox(world, {0, 0}, 4, 0.5);
+    plank.setLocks(true, true, true);
+    Body box = addBox(world, {0, 0.751}, 1, 1);
+    box.setAllowSleep(false);
+    world.step();
+    ASSERT_TRUE(world.touching(plank.id(), box.id()));
+    for (int i = 0; i < 240; ++i) {
+        if (i == 120) plank.sleep();
+        world.step();
+        ASSERT_NEAR(box.position().y, 0.75, 2e-3) << "step " << i;
+        EXPECT_TRUE(world.events().ends.empty()) << "step " << i;
+        EXPECT_TRUE(world.validate().empty()) << "step " << i;
+    }
+}
+
 TEST(Waking, IsInTimeForAnImpactThatNobodyCouldForesee)
 {
     TRACES("GD1", "DD8", "ADR25");
