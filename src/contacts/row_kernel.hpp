@@ -4,18 +4,12 @@
 #pragma once
 
 #include "math/lane.hpp"
+#include "model/motion.hpp"
 
 #include <tamias2d/math/scalar.hpp>
 #include <tamias2d/math/vec2.hpp>
 
 namespace tamias2d::inline TAMIAS_PRECISION {
-
-/// How a body moves.
-template <class T>
-struct BodyMotion {
-    BasicVec2<T> velocity;   ///< of the center of mass   [m/s]
-    T spin = T(real(0));     ///< [rad/s]
-};
 
 /// One point of a contact, as its Jacobian: what an impulse along the normal or the tangent does to the
 /// spins.

@@ -69,7 +69,6 @@ void sortUnique(std::vector<int>& list)
 
 void BlockLdl::analyze(int nodes, const std::vector<Edge>& edges)
 {
-    nodes_ = nodes;
     const auto count = static_cast<std::size_t>(nodes);
     std::vector<std::vector<int>> neighbors(count), columns;
     for (const auto& [a, b] : edges) {
@@ -139,17 +138,16 @@ std::pair<BlockLdl::Block*, bool> BlockLdl::between(int row, int column)
 bool BlockLdl::factor()
 {
     std::size_t next = 0;
-    std::vector<Block> scaled;
     for (std::size_t k = 0; k < diagonals_.size(); ++k) {
         if (!invert(diagonals_[k])) return false;
         const std::size_t begin = starts_[k], end = starts_[k + 1];
-        scaled.assign(lower_.begin() + static_cast<std::ptrdiff_t>(begin),
-                      lower_.begin() + static_cast<std::ptrdiff_t>(end));
+        scaled_.assign(lower_.begin() + static_cast<std::ptrdiff_t>(begin),
+                       lower_.begin() + static_cast<std::ptrdiff_t>(end));
         for (std::size_t p = begin; p < end; ++p) lower_[p] = product(lower_[p], diagonals_[k]);
         for (std::size_t p = begin; p < end; ++p) {
             for (std::size_t q = begin; q < p; ++q)
-                subtract(lower_[targets_[next++]], lower_[p], scaled[q - begin]);
-            subtract(diagonals_[static_cast<std::size_t>(rows_[p])], lower_[p], scaled[p - begin]);
+                subtract(lower_[targets_[next++]], lower_[p], scaled_[q - begin]);
+            subtract(diagonals_[static_cast<std::size_t>(rows_[p])], lower_[p], scaled_[p - begin]);
         }
     }
     return true;

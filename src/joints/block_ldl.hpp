@@ -43,12 +43,12 @@ private:
     }
     std::size_t find(int row, int column) const;
 
-    int nodes_ = 0;
     std::vector<int> order_, places_;  // which node is eliminated when, and the reverse
     std::vector<std::size_t> starts_;  // of each column in `rows_`
     std::vector<int> rows_;  // places below the diagonal
     std::vector<std::size_t> targets_;  // of each update of a block, in order: of the diagonal first
     std::vector<Block> lower_, diagonals_;  // by place: H before, L and D^-1 after
+    std::vector<Block> scaled_;  // scratch: a column of L D
     std::vector<double> work_;
 };
 

@@ -39,22 +39,21 @@ public:
     {
     }
 
-    bool solve(const std::vector<JointVelocity>& velocities);
-    void store(std::vector<JointVelocity>& velocities, real& change);
+    bool solve(const std::vector<BodyMotion<real>>& velocities);
+    void store(std::vector<BodyMotion<real>>& velocities, real& change);
 
 private:
     DirectGroup& group_;
     std::vector<JointRows>& all_;
     const std::vector<Motion>& motions_;
-    std::vector<double> impulses_, before_;  // by joint and row
 
     JointRows& joint(std::size_t j) { return all_[group_.joints[j]]; }
     double& impulse(std::size_t j, int i)
     {
-        return impulses_[j * JointRows::kMost + static_cast<std::size_t>(i)];
+        return group_.impulses[j * JointRows::kMost + static_cast<std::size_t>(i)];
     }
 
-    void load(const std::vector<JointVelocity>& velocities);
+    void load(const std::vector<BodyMotion<real>>& velocities);
     double speed(std::size_t j, const ConstraintRow& row) const;
     bool answer();
     bool factor();
@@ -80,23 +79,23 @@ void fillMasses(const Motion& m, double (&mass)[3])
     for (int i = 0; i < 3; ++i) mass[i] = inverse[i] > 0 ? 1 / static_cast<double>(inverse[i]) : 1;
 }
 
-void DirectSolver::load(const std::vector<JointVelocity>& velocities)
+void DirectSolver::load(const std::vector<BodyMotion<real>>& velocities)
 {
     const std::size_t nodes = group_.rows.size();
     group_.start.resize(3 * nodes);
     for (std::size_t n = 0; n < nodes; ++n) {
-        group_.start[3 * n] = static_cast<double>(velocities[n].linear.x);
-        group_.start[3 * n + 1] = static_cast<double>(velocities[n].linear.y);
+        group_.start[3 * n] = static_cast<double>(velocities[n].velocity.x);
+        group_.start[3 * n + 1] = static_cast<double>(velocities[n].velocity.y);
         group_.start[3 * n + 2] = static_cast<double>(velocities[n].spin);
     }
     group_.velocity = group_.start;
     group_.active.assign(group_.joints.size(), 0xff);
     group_.factored.clear();
-    impulses_.assign(group_.joints.size() * JointRows::kMost, 0);
+    group_.impulses.assign(group_.joints.size() * JointRows::kMost, 0);
     for (std::size_t j = 0; j < group_.joints.size(); ++j)
         for (int i = 0; i < joint(j).count; ++i)
             impulse(j, i) = static_cast<double>(joint(j).visits[i].impulse);
-    before_ = impulses_;
+    group_.before = group_.impulses;
 }
 
 double DirectSolver::speed(std::size_t j, const ConstraintRow& row) const
@@ -126,7 +125,7 @@ bool DirectSolver::answer()
             const ConstraintRow& row = rows.rows[i];
             const RowVisit& visit = rows.visits[i];
             const Answer a =
-                answerOf(row, visit, before_[j * JointRows::kMost + static_cast<std::size_t>(i)]);
+                answerOf(row, visit, group_.before[j * JointRows::kMost + static_cast<std::size_t>(i)]);
             const double wanted = a.at - a.slope * speed(j, row);
             const double low = static_cast<double>(visit.low), high = static_cast<double>(visit.high);
             impulse(j, i) = clamp(wanted, low, high);
@@ -224,18 +223,18 @@ bool DirectSolver::converge()
     return false;
 }
 
-bool DirectSolver::solve(const std::vector<JointVelocity>& velocities)
+bool DirectSolver::solve(const std::vector<BodyMotion<real>>& velocities)
 {
     load(velocities);
     for (int repeat = 0; repeat < kRepeats; ++repeat) {
         if (!converge()) return false;
-        before_ = impulses_;
+        group_.before = group_.impulses;
     }
     return std::all_of(group_.velocity.begin(), group_.velocity.end(),
                        [](double v) { return std::isfinite(v); });
 }
 
-void DirectSolver::store(std::vector<JointVelocity>& velocities, real& change)
+void DirectSolver::store(std::vector<BodyMotion<real>>& velocities, real& change)
 {
     // What the impulses make of the velocities, as those that are kept are the impulses.
     for (std::size_t j = 0; j < group_.joints.size(); ++j)
@@ -244,10 +243,10 @@ void DirectSolver::store(std::vector<JointVelocity>& velocities, real& change)
     for (std::size_t n = 0; n < group_.rows.size(); ++n) {
         const Motion& m = motions_[group_.rows[n]];
         const double* v = &group_.velocity[3 * n];
-        const Vec2 linear{m.invMass.x > 0 ? static_cast<real>(v[0]) : velocities[n].linear.x,
-                          m.invMass.y > 0 ? static_cast<real>(v[1]) : velocities[n].linear.y};
+        const Vec2 linear{m.invMass.x > 0 ? static_cast<real>(v[0]) : velocities[n].velocity.x,
+                          m.invMass.y > 0 ? static_cast<real>(v[1]) : velocities[n].velocity.y};
         const real spin = m.invInertia > 0 ? static_cast<real>(v[2]) : velocities[n].spin;
-        change = maximum(change, maximum(length(linear - velocities[n].linear),
+        change = maximum(change, maximum(length(linear - velocities[n].velocity),
                                          absolute(spin - velocities[n].spin) * m.extent));
         velocities[n] = {linear, spin};
     }
@@ -268,7 +267,7 @@ void DirectGroup::build(const std::vector<JointRows>& all, const std::vector<Mot
         return static_cast<int>(std::lower_bound(rows.begin(), rows.end(), row) - rows.begin());
     };
     nodes.clear();
-    std::vector<BlockLdl::Edge> edges;
+    edges.clear();
     for (const std::uint32_t j : joints) {
         nodes.emplace_back(nodeOf(all[j].rowA), nodeOf(all[j].rowB));
         if (nodes.back().first >= 0 && nodes.back().second >= 0) edges.push_back(nodes.back());
@@ -277,11 +276,11 @@ void DirectGroup::build(const std::vector<JointRows>& all, const std::vector<Mot
     if (count == analyzedNodes && edges == analyzed) return;
     matrix.analyze(count, edges);
     analyzedNodes = count;
-    analyzed = edges;
+    analyzed.swap(edges);
 }
 
 real solveDirect(DirectGroup& group, std::vector<JointRows>& all, const std::vector<Motion>& motions,
-                 std::vector<JointVelocity>& velocities)
+                 std::vector<BodyMotion<real>>& velocities)
 {
     DirectSolver solver(group, all, motions);
     if (!solver.solve(velocities)) return -1;

@@ -19,11 +19,13 @@ struct DirectGroup {
 
     // Of the solve at hand.
     std::vector<double> start, velocity, step;   // three numbers a node
+    std::vector<double> impulses, before;        // by joint and row
     std::vector<std::uint8_t> active;            // by joint: which of its rows are within their bounds
     std::vector<std::uint8_t> factored;          // likewise, of the factors at hand
 
     int analyzedNodes = -1;
     std::vector<BlockLdl::Edge> analyzed;
+    std::vector<BlockLdl::Edge> edges;           // scratch
 
     /// Finds nodes and order; cheap if nothing has changed since.
     void build(const std::vector<JointRows>& all, const std::vector<Motion>& motions);
@@ -33,6 +35,6 @@ struct DirectGroup {
 /// of its bodies, by node. Returns the greatest change of a velocity [m/s], or a negative number where no
 /// solution was found; nothing has changed then.
 real solveDirect(DirectGroup& group, std::vector<JointRows>& all, const std::vector<Motion>& motions,
-                 std::vector<JointVelocity>& velocities);
+                 std::vector<BodyMotion<real>>& velocities);
 
 }  // namespace tamias2d::inline TAMIAS_PRECISION

@@ -17,11 +17,11 @@ real reducedOf(real inverseA, real inverseB)
 
 }  // namespace
 
-BodyPlace placeAhead(const Motion& m, const JointVelocity& velocity, real h)
+BodyPlace placeAhead(const Motion& m, const BodyMotion<real>& velocity, real h)
 {
     const double time = static_cast<double>(h);
     const double turn = time * static_cast<double>(velocity.spin) + m.excessTurn;
-    return {m.center + (time * toDVec2(velocity.linear) + m.excess), m.angle + turn,
+    return {m.center + (time * toDVec2(velocity.velocity) + m.excess), m.angle + turn,
             turn != 0 ? Rot::ofAngle(wrapAngle(m.angle + turn)) : m.rotation};
 }
 

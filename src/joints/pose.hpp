@@ -19,7 +19,7 @@ inline BodyPlace placeOf(const Motion& m)
 }
 
 /// After a drift over `h` at a velocity.
-BodyPlace placeAhead(const Motion& m, const JointVelocity& velocity, real h);
+BodyPlace placeAhead(const Motion& m, const BodyMotion<real>& velocity, real h);
 
 /// The angle of B against A nearest to `near`: so turns are counted.   [rad]
 double countTurns(double angleA, double angleB, double near);

@@ -39,20 +39,6 @@ double energyOfSprings(const JointRows& rows)
     return energy;
 }
 
-// The body as the solver would see it.
-Motion motionOf(const BodyRow& body)
-{
-    Motion m;
-    m.center = body.center;
-    m.angle = body.angle;
-    m.rotation = body.rotation;
-    m.velocity = body.velocity;
-    m.spin = body.spin;
-    m.invMass = body.invMass();
-    m.invInertia = body.invInertia();
-    return m;
-}
-
 bool actsNow(const JointRow& joint, const BodyTable& bodies)
 {
     return joint.acts() && bodies.rows[joint.bodyA].enabled && bodies.rows[joint.bodyB].enabled;
@@ -70,7 +56,8 @@ JointReading readJoint(const JointRow& joint, const BodyTable& bodies, double dt
 {
     JointReading reading;
     if (!actsNow(joint, bodies)) return reading;
-    const Motion a = motionOf(bodies.rows[joint.bodyA]), b = motionOf(bodies.rows[joint.bodyB]);
+    const Motion a = motionOf(bodies.rows[joint.bodyA], joint.bodyA),
+                 b = motionOf(bodies.rows[joint.bodyB], joint.bodyB);
     const JointPose pose = poseNow(joint, bodies, a, b);
     const JointCoordinate at =
         std::visit([&](const auto& kind) { return coordinateOf(kind, pose); }, joint.def.kind);
@@ -106,7 +93,8 @@ double springEnergy(const JointTable& joints, const BodyTable& bodies)
     for (std::uint32_t slot = 0; slot < joints.rows.size(); ++slot) {
         const JointRow& joint = joints.rows[slot];
         if (!joints.ids.isAlive(slot) || !actsNow(joint, bodies)) continue;
-        const Motion a = motionOf(bodies.rows[joint.bodyA]), b = motionOf(bodies.rows[joint.bodyB]);
+        const Motion a = motionOf(bodies.rows[joint.bodyA], joint.bodyA),
+                     b = motionOf(bodies.rows[joint.bodyB], joint.bodyB);
         JointRows rows;
         measureJoint(joint.def.kind, poseNow(joint, bodies, a, b), rows);
         sum += energyOfSprings(rows);

@@ -146,7 +146,7 @@ real fadeOf(const JointRows& joint, int i, const StepContext& context)
 
 }  // namespace
 
-real aimRows(JointRows& joint, const JointRows& ahead, const JointVelocity& va, const JointVelocity& vb,
+real aimRows(JointRows& joint, const JointRows& ahead, const BodyMotion<real>& va, const BodyMotion<real>& vb,
              const StepContext& context)
 {
     real most = 0;
@@ -203,8 +203,8 @@ void settleRows(JointRows& joint, const StepContext& context)
 
 namespace {
 
-real solveOne(const ConstraintRow& row, RowVisit& visit, const Motion& a, const Motion& b, JointVelocity& va,
-              JointVelocity& vb)
+real solveOne(const ConstraintRow& row, RowVisit& visit, const Motion& a, const Motion& b,
+              BodyMotion<real>& va, BodyMotion<real>& vb)
 {
     const real speed = speedAlong(row.j, va, vb);
     real wanted = 0;
@@ -222,8 +222,8 @@ real solveOne(const ConstraintRow& row, RowVisit& visit, const Motion& a, const 
 }
 
 // The two impulses of one force are bounded by its strength.
-void boundPair(JointRows& joint, int second, const Motion& a, const Motion& b, JointVelocity& va,
-               JointVelocity& vb)
+void boundPair(JointRows& joint, int second, const Motion& a, const Motion& b, BodyMotion<real>& va,
+               BodyMotion<real>& vb)
 {
     const RowVisit &x = joint.visits[second - 1], &y = joint.visits[second];
     const double strength = length(DVec2{static_cast<double>(x.impulse), static_cast<double>(y.impulse)});
@@ -237,7 +237,8 @@ void boundPair(JointRows& joint, int second, const Motion& a, const Motion& b, J
 }
 
 // What is rigid comes last and together: it is to hold.
-real solveRigid(JointRows& joint, const Motion& a, const Motion& b, JointVelocity& va, JointVelocity& vb)
+real solveRigid(JointRows& joint, const Motion& a, const Motion& b, BodyMotion<real>& va,
+                BodyMotion<real>& vb)
 {
     real most = 0, change[3] = {}, wrong[3] = {};
     for (int i = 0; i < joint.rigid; ++i) {
@@ -260,7 +261,7 @@ real solveRigid(JointRows& joint, const Motion& a, const Motion& b, JointVelocit
     return most;
 }
 
-real visitRows(JointRows& joint, const Motion& a, const Motion& b, JointVelocity& va, JointVelocity& vb)
+real visitRows(JointRows& joint, const Motion& a, const Motion& b, BodyMotion<real>& va, BodyMotion<real>& vb)
 {
     real most = 0;
     for (int i = joint.rigid; i < joint.count; ++i) {
@@ -272,16 +273,16 @@ real visitRows(JointRows& joint, const Motion& a, const Motion& b, JointVelocity
     return maximum(most, solveRigid(joint, a, b, va, vb));
 }
 
-bool isFinite(const JointVelocity& v)
+bool isFinite(const BodyMotion<real>& v)
 {
-    return isFinite(v.linear) && std::isfinite(v.spin);
+    return isFinite(v.velocity) && std::isfinite(v.spin);
 }
 
 }  // namespace
 
-real solveRows(JointRows& joint, const Motion& a, const Motion& b, JointVelocity& va, JointVelocity& vb)
+real solveRows(JointRows& joint, const Motion& a, const Motion& b, BodyMotion<real>& va, BodyMotion<real>& vb)
 {
-    const JointVelocity beforeA = va, beforeB = vb;
+    const BodyMotion<real> beforeA = va, beforeB = vb;
     const real change = visitRows(joint, a, b, va, vb);
     if (isFinite(va) && isFinite(vb)) return change;
     // Beyond all numbers: the joint lets go for this visit.

@@ -17,12 +17,6 @@ struct Jacobian {
     Jacobian operator-() const { return {-linearA, -linearB, -turnA, -turnB}; }
 };
 
-/// Part of the velocity of a body in the passes.
-struct JointVelocity {
-    Vec2 linear;      // [m/s]
-    real spin = 0;    // [rad/s]
-};
-
 enum class RowKind : std::uint8_t { Rigid, Spring, Motor, Limit };
 
 /// What a row is asked in the visits of the moment, and what it has answered.
@@ -69,17 +63,17 @@ struct JointRows {
     ConstraintRow& add(RowKind kind, int slot, const Jacobian& j, real error, bool angular);
 };
 
-inline real speedAlong(const Jacobian& j, const JointVelocity& a, const JointVelocity& b)
+inline real speedAlong(const Jacobian& j, const BodyMotion<real>& a, const BodyMotion<real>& b)
 {
-    return dot(j.linearA, a.linear) + j.turnA * a.spin + dot(j.linearB, b.linear) + j.turnB * b.spin;
+    return dot(j.linearA, a.velocity) + j.turnA * a.spin + dot(j.linearB, b.velocity) + j.turnB * b.spin;
 }
 
-inline void applyAlong(const Jacobian& j, real impulse, const Motion& a, const Motion& b, JointVelocity& va,
-                       JointVelocity& vb)
+inline void applyAlong(const Jacobian& j, real impulse, const Motion& a, const Motion& b,
+                       BodyMotion<real>& va, BodyMotion<real>& vb)
 {
-    va.linear += {a.invMass.x * impulse * j.linearA.x, a.invMass.y * impulse * j.linearA.y};
+    va.velocity += {a.invMass.x * impulse * j.linearA.x, a.invMass.y * impulse * j.linearA.y};
     va.spin += a.invInertia * impulse * j.turnA;
-    vb.linear += {b.invMass.x * impulse * j.linearB.x, b.invMass.y * impulse * j.linearB.y};
+    vb.velocity += {b.invMass.x * impulse * j.linearB.x, b.invMass.y * impulse * j.linearB.y};
     vb.spin += b.invInertia * impulse * j.turnB;
 }
 
@@ -92,7 +86,7 @@ void startRows(JointRows& joint, const JointRow& carried, const StepContext& con
 /// What the rows ask for before the drift: that their errors have faded at its end, where without further
 /// impulses they would be those of `ahead`, and the velocities are `va` and `vb` [eq. 4-9].
 /// Returns by how much that differs from what they were last asked for.   [m/s]
-real aimRows(JointRows& joint, const JointRows& ahead, const JointVelocity& va, const JointVelocity& vb,
+real aimRows(JointRows& joint, const JointRows& ahead, const BodyMotion<real>& va, const BodyMotion<real>& vb,
              const StepContext& context);
 
 /// What they ask for where the way ahead is not to be trusted: J v = 0.
@@ -105,6 +99,7 @@ real predictedGive(const ConstraintRow& row, real impulse, real h);
 void settleRows(JointRows& joint, const StepContext& context);
 
 /// One visit; returns the greatest change of speed it made.   [m/s]
-real solveRows(JointRows& joint, const Motion& a, const Motion& b, JointVelocity& va, JointVelocity& vb);
+real solveRows(JointRows& joint, const Motion& a, const Motion& b, BodyMotion<real>& va,
+               BodyMotion<real>& vb);
 
 }  // namespace tamias2d::inline TAMIAS_PRECISION

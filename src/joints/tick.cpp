@@ -139,20 +139,21 @@ void chooseStiff(JointTable& table, const std::vector<Motion>& motions, JointSys
         rows.rigidly = members[rows.group] == 1 || system.stiffGroups[rows.group];
 }
 
-}  // namespace
-
-namespace {
+// Adds the velocity changes of impulses, one for each row of the joint, to the steady ones of its bodies.
+template <class ImpulseOf>
+void addSteadyOf(const JointRows& joint, std::vector<Motion>& rows, ImpulseOf impulseOf)
+{
+    Motion &a = rows[joint.rowA], &b = rows[joint.rowB];
+    BodyMotion<real> va{a.steady, a.steadySpin}, vb{b.steady, b.steadySpin};
+    for (int i = 0; i < joint.count; ++i) applyAlong(joint.rows[i].j, impulseOf(i), a, b, va, vb);
+    if (a.moves()) a.steady = va.velocity, a.steadySpin = va.spin;
+    if (b.moves()) b.steady = vb.velocity, b.steadySpin = vb.spin;
+}
 
 void addSteadyJoint(const JointTable& table, const JointRows& joint, std::vector<Motion>& rows)
 {
-    Motion &a = rows[joint.rowA], &b = rows[joint.rowB];
-    JointVelocity va{a.steady, a.steadySpin}, vb{b.steady, b.steadySpin};
-    for (int i = 0; i < joint.count; ++i) {
-        const ConstraintRow& row = joint.rows[i];
-        applyAlong(row.j, table.rows[joint.joint].impulses[row.slot], a, b, va, vb);
-    }
-    if (a.moves()) a.steady = va.linear, a.steadySpin = va.spin;
-    if (b.moves()) b.steady = vb.linear, b.steadySpin = vb.spin;
+    const JointRow& carried = table.rows[joint.joint];
+    addSteadyOf(joint, rows, [&](int i) { return carried.impulses[joint.rows[i].slot]; });
 }
 
 void forgetSums(JointRow& joint)
@@ -292,7 +293,8 @@ void startJoints(const JointTable& table, const BodyTable& bodies, const MotionT
 }
 
 real aimJoint(const JointTable& table, const BodyTable& bodies, const MotionTable& motions,
-              const JointVelocity& va, const JointVelocity& vb, const StepContext& context, JointRows& rows)
+              const BodyMotion<real>& va, const BodyMotion<real>& vb, const StepContext& context,
+              JointRows& rows)
 {
     const JointRow& joint = table.rows[rows.joint];
     const Motion &a = motions.rows[rows.rowA], &b = motions.rows[rows.rowB];
@@ -339,12 +341,7 @@ void turnSteadyJoints(JointSystem& system, std::vector<Motion>& rows, const Step
     for (JointRows& joint : system.joints) {
         settleRows(joint, context);
         if (joint.whole) continue;
-        Motion &a = rows[joint.rowA], &b = rows[joint.rowB];
-        JointVelocity va{a.steady, a.steadySpin}, vb{b.steady, b.steadySpin};
-        for (int i = 0; i < joint.count; ++i)
-            applyAlong(joint.rows[i].j, 2 * joint.visits[i].impulse, a, b, va, vb);
-        if (a.moves()) a.steady = va.linear, a.steadySpin = va.spin;
-        if (b.moves()) b.steady = vb.linear, b.steadySpin = vb.spin;
+        addSteadyOf(joint, rows, [&](int k) { return 2 * joint.visits[k].impulse; });
     }
 }
 

@@ -21,7 +21,9 @@ struct JointSystem {
     std::vector<std::uint8_t> lostGroups;    // by group: did not find where it goes in this tick
     std::vector<std::uint8_t> wholeGroups;   // by group: solved once a tick
     std::uint32_t fallbacks = 0;             // visits of the step in which a group was not solved at once
-    std::vector<JointVelocity> velocities;   // scratch
+    std::vector<BodyMotion<real>> velocities;   // scratch
+    std::vector<BodyMotion<real>> before;    // by row, scratch
+    std::vector<real> unrest, unrestBefore;  // by group, scratch   [m/s]
     std::vector<std::uint32_t> order;        // scratch
     std::vector<std::uint32_t> numbers;      // by row, scratch
     std::vector<std::size_t> members, bodies, placeOf;   // by group, scratch
@@ -66,7 +68,8 @@ void startJoints(const JointTable& table, const BodyTable& bodies, const MotionT
 
 /// What a joint aims at, for these velocities; returns by how much that changed.   [m/s]
 real aimJoint(const JointTable& table, const BodyTable& bodies, const MotionTable& motions,
-              const JointVelocity& va, const JointVelocity& vb, const StepContext& context, JointRows& rows);
+              const BodyMotion<real>& va, const BodyMotion<real>& vb, const StepContext& context,
+              JointRows& rows);
 
 /// After the drift, with the joints measured there: the second half of what they carry becomes `steady` of
 /// the bodies in halves, along the directions that it has now.

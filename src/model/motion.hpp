@@ -17,6 +17,13 @@ struct Damping {
     double excessAccel = 0;  // q/c                                                      [s^2]
 };
 
+/// How a body moves, or changes its motion.
+template <class T>
+struct BodyMotion {
+    BasicVec2<T> velocity;  // of the center of mass   [m/s]
+    T spin = T(real(0));    // [rad/s]
+};
+
 /// One body while it is being solved. Bodies that cannot move have no inverse mass.
 struct alignas(64) Motion {
     // What preparing a contact touches, in one line of the cache (in float).

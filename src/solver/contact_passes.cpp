@@ -8,15 +8,6 @@
 namespace tamias2d::inline TAMIAS_PRECISION {
 namespace {
 
-BodyMotion<real> motionOf(const LaneRow& row)
-{
-    return {{row.x, row.y}, row.z};
-}
-LaneRow rowOf(const BodyMotion<real>& motion, real w)
-{
-    return {motion.velocity.x, motion.velocity.y, motion.spin, w};
-}
-
 void prepareLoose(Contact& c, const MotionTable& motions)
 {
     prepareContact(c, motions.rows[c.rowA], motions.rows[c.rowB]);
@@ -24,6 +15,18 @@ void prepareLoose(Contact& c, const MotionTable& motions)
 }
 
 }  // namespace
+
+void startLoose(Contact& c, const MotionTable& motions, TickRows& rows)
+{
+    prepareLoose(c, motions);
+    LaneRow &a = rows.steady[c.rowA], &b = rows.steady[c.rowB];
+    BodyMotion<real> steadyA = velocityOf(a), steadyB = velocityOf(b);
+    addSteady(c, motions.rows[c.rowA], motions.rows[c.rowB], steadyA, steadyB);
+    bool loaded = false;
+    for (int k = 0; k < c.count; ++k) loaded = loaded || c.points[k].wasLoaded;
+    a = laneRow(steadyA, loaded ? real(1) : a.w);
+    b = laneRow(steadyB, loaded ? real(1) : b.w);
+}
 
 void ContactPasses::begin(ContactTable& contacts, const MotionTable& motions, const Islands& islands,
                           const StepContext& context)
@@ -85,18 +88,8 @@ void ContactPasses::prepare(ContactTable& contacts, const MotionTable& motions, 
     list_.clear();
     lanes_->prepare(rows, context, list_);
     for (const std::uint32_t i : list_) take(i, contacts);
-    sortLoose(contacts);
-    for (const std::uint32_t i : loose_) {
-        Contact& c = contacts.rows[i];
-        prepareLoose(c, motions);
-        LaneRow &a = rows.steady[c.rowA], &b = rows.steady[c.rowB];
-        BodyMotion<real> steadyA = motionOf(a), steadyB = motionOf(b);
-        addSteady(c, motions.rows[c.rowA], motions.rows[c.rowB], steadyA, steadyB);
-        bool loaded = false;
-        for (int k = 0; k < c.count; ++k) loaded = loaded || c.points[k].wasLoaded;
-        a = rowOf(steadyA, loaded ? real(1) : a.w);
-        b = rowOf(steadyB, loaded ? real(1) : b.w);
-    }
+    sortLoose();
+    for (const std::uint32_t i : loose_) startLoose(contacts.rows[i], motions, rows);
 }
 
 const std::vector<std::uint32_t>& ContactPasses::approaching(const TickRows& rows, const StepContext& context,
@@ -118,16 +111,14 @@ void ContactPasses::loosen(std::uint32_t contact, ContactTable& contacts, const 
     addLoose(contact);
 }
 
-void ContactPasses::sortLoose(const ContactTable& contacts)
+void ContactPasses::sortLoose()
 {
-    for (std::uint32_t i = static_cast<std::uint32_t>(placeOf_.size()); i < contacts.rows.size(); ++i)
-        placeOf_.push_back(i);
     std::sort(loose_.begin(), loose_.end(),
-              [this](std::uint32_t a, std::uint32_t b) { return placeOf_[a] < placeOf_[b]; });
+              [this](std::uint32_t a, std::uint32_t b) { return placeOf(a) < placeOf(b); });
     looseEnds_.clear();
     std::uint32_t at = 0;
     for (int color = 0; color < lanes_->colors(); ++color) {
-        while (at < loose_.size() && placeOf_[loose_[at]] < colorEnds_[static_cast<std::size_t>(color)]) ++at;
+        while (at < loose_.size() && placeOf(loose_[at]) < colorEnds_[static_cast<std::size_t>(color)]) ++at;
         looseEnds_.push_back(at);
     }
 }
@@ -148,7 +139,7 @@ void ContactPasses::solve(ContactTable& contacts, MotionTable& motions, TickRows
                           const StepContext& context, const JointWorld* world, JointSystem* joints)
 {
     const real restless = context.tuning.restless * context.lengthUnit;
-    sortLoose(contacts);
+    sortLoose();
     for (int pass = 0; pass <= context.tuning.extraPasses; ++pass) {
         unrest_.swap(unrestBefore_);
         unrest_.assign(islands_->count(), 0);
@@ -160,11 +151,11 @@ void ContactPasses::solve(ContactTable& contacts, MotionTable& motions, TickRows
                         const std::uint32_t island = islandOf(*islands_, c.rowA, c.rowB);
                         if (visited != nullptr && visited[island] == 0) return;
                         Motion &a = motions.rows[c.rowA], &b = motions.rows[c.rowB];
-                        setVelocity(a, rows.velocities[c.rowA]);
-                        setVelocity(b, rows.velocities[c.rowB]);
+                        setVelocity(a, velocityOf(rows.velocities[c.rowA]));
+                        setVelocity(b, velocityOf(rows.velocities[c.rowB]));
                         if (solveContact(c, a, b, context) > restless) unrest_[island] = 1;
-                        rows.velocities[c.rowA] = velocityRow(a);
-                        rows.velocities[c.rowB] = velocityRow(b);
+                        setVelocity(rows.velocities[c.rowA], velocityOf(a));
+                        setVelocity(rows.velocities[c.rowB], velocityOf(b));
                     });
         if (std::none_of(unrest_.begin(), unrest_.end(), [](std::uint8_t is) { return is != 0; })) break;
     }
@@ -185,10 +176,10 @@ void ContactPasses::pushApart(ContactTable& contacts, MotionTable& motions, Tick
     visitColors([&](int color) { lanes_->push(color, rows, context, clamps); },
                 [&](std::uint32_t i) {
                     Contact& c = contacts.rows[i];
-                    BodyMotion<real> a = motionOf(rows.pushes[c.rowA]), b = motionOf(rows.pushes[c.rowB]);
+                    BodyMotion<real> a = velocityOf(rows.pushes[c.rowA]), b = velocityOf(rows.pushes[c.rowB]);
                     pushContact(c, motions.rows[c.rowA], motions.rows[c.rowB], a, b, context, clamps);
-                    rows.pushes[c.rowA] = rowOf(a, 0);
-                    rows.pushes[c.rowB] = rowOf(b, 0);
+                    rows.pushes[c.rowA] = laneRow(a);
+                    rows.pushes[c.rowB] = laneRow(b);
                 });
     visitColors([&](int color) { lanes_->repay(color, rows, context); },
                 [&](std::uint32_t i) {

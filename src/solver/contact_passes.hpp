@@ -6,6 +6,10 @@
 
 namespace tamias2d::inline TAMIAS_PRECISION {
 
+/// As a tick begins for a contact that is in no lane: arms, gaps and masses at the present poses, what is
+/// loaded, and the velocity changes of what it carries, in rows.steady.
+void startLoose(Contact& contact, const MotionTable& motions, TickRows& rows);
+
 /// The contacts of a step as the passes go over them: plain ones in lanes, the others (of a tick with an
 /// impact, elastic and unloaded, rolling, found in mid-step, beyond the colors) loose, one by one. The memory
 /// is kept.
@@ -21,6 +25,13 @@ public:
 
     /// Tells that the manifold of a contact is about to change: what is known of it is in the table then.
     void take(std::uint32_t contact, ContactTable& contacts);
+
+    /// Where the contact stands in the order of solving. Those found in mid-step stand behind all others, in
+    /// turn.
+    std::uint32_t placeOf(std::uint32_t contact) const
+    {
+        return contact < placeOf_.size() ? placeOf_[contact] : contact;
+    }
 
     /// Starts a tick: arms, gaps and masses at the present poses, and the velocity changes of what the
     /// contacts carry, in rows.steady; what carries a load now is loaded for the tick. They are taken with
@@ -56,7 +67,7 @@ private:
     std::vector<std::uint8_t> unrest_, unrestBefore_;  // by island
 
     void addLoose(std::uint32_t contact);
-    void sortLoose(const ContactTable& contacts);
+    void sortLoose();
     template <class OfColor, class OfLoose>
     void visitColors(OfColor ofColor, OfLoose ofLoose);
 };

@@ -76,7 +76,6 @@ struct ImpactScratch {
     std::vector<ImpactPoint> points;         // two for each contact
     std::vector<bool> placed;                // by contact: have its points been placed?
     std::vector<std::uint32_t> versions;     // by contact
-    std::vector<std::uint32_t> places;       // by contact, in the order of solving; of the step
     bool connected = false;                  // have the chains been made in this step?
     ContactChains chains;                    // of bodies that move; made at the first impact of a step
     std::vector<PredictedWay> predicted;     // by row; of the step

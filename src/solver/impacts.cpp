@@ -119,7 +119,7 @@ void ImpactSolver::schedule(std::uint32_t i)
     if (!scratch_.placed[i]) placePoints(i);
     const Impact impact = nextImpact(c, &scratch_.points[2 * std::size_t{i}], pairOf(c), context_);
     if (impact.time == kNever) return;
-    scratch_.queue.push_back({impact, c.impacts, scratch_.places[i], scratch_.versions[i]});
+    scratch_.queue.push_back({impact, c.impacts, stage_.passes.placeOf(i), scratch_.versions[i]});
     std::push_heap(scratch_.queue.begin(), scratch_.queue.end());
 }
 
@@ -195,7 +195,6 @@ void ImpactSolver::takeUp(std::uint32_t first)
     scratch_.versions.resize(count, 0);
     scratch_.placed.resize(count, false);
     for (std::uint32_t i = first; i < count; ++i) {
-        scratch_.places.push_back(i);  // the order of what comes in is that of the rows
         if (contact(i).swept) scratch_.swept.push_back(i);
         chain(i);
     }
@@ -367,9 +366,6 @@ void startSweeps(ImpactStage& stage, const StepContext& context)
     }
     scratch.tree.clear();  // the boxes are new
     scratch.connected = false;
-    scratch.places.resize(stage.contacts.rows.size());
-    for (std::uint32_t k = 0; k < stage.contacts.order.size(); ++k)
-        scratch.places[stage.contacts.order[k]] = k;
     scratch.swept.clear();
     for (std::uint32_t i = 0; i < stage.contacts.rows.size(); ++i)
         if (stage.contacts.rows[i].swept) scratch.swept.push_back(i);
@@ -441,12 +437,10 @@ void startTick(ImpactStage& stage, const StepContext& context, int tick, TickRow
     for (std::uint32_t row = 0; row < motions.size(); ++row) {
         Motion& m = motions[row];
         LaneRow& steady = rows.steady[row];
-        m.steady = {steady.x, steady.y};
-        m.steadySpin = steady.z;
-        m.loaded = steady.w > 0;
+        takeSteady(m, steady);
         limitSteady(m, context);
-        steady = {m.steady.x, m.steady.y, m.steadySpin, 0};
-        rows.velocities[row] = velocityRow(m);
+        steady = steadyRow(m);
+        setVelocity(rows.velocities[row], velocityOf(m));
         rows.outside[row] = {m.acceleration.x, m.acceleration.y, 0, 0};
         if (!m.moves()) {
             const real reach = fastestPoint(m, {}, 0, context.h);

@@ -11,30 +11,12 @@ namespace {
 
 constexpr real kTrust = 1;   // change of what a joint aims at, after the last pass   [lengthUnit/s]
 
-JointVelocity velocityOf(const LaneRow& row)
-{
-    return {{row.x, row.y}, row.z};
-}
-void setVelocity(LaneRow& row, const JointVelocity& v)
-{
-    row = {v.linear.x, v.linear.y, v.spin, 0};
-}
-JointVelocity velocityOf(const Motion& m)
-{
-    return {m.velocity, m.spin};
-}
-void setVelocity(Motion& m, const JointVelocity& v)
-{
-    m.velocity = v.linear;
-    m.spin = v.spin;
-}
-
 // One visit to a joint; returns the greatest change of speed.
 template <class Velocity>
 real visit(JointRows& joint, const std::vector<Motion>& motions, std::vector<Velocity>& velocities)
 {
     const Motion &a = motions[joint.rowA], &b = motions[joint.rowB];
-    JointVelocity va = velocityOf(velocities[joint.rowA]), vb = velocityOf(velocities[joint.rowB]);
+    BodyMotion<real> va = velocityOf(velocities[joint.rowA]), vb = velocityOf(velocities[joint.rowB]);
     const real change = solveRows(joint, a, b, va, vb);
     if (a.moves()) setVelocity(velocities[joint.rowA], va);
     if (b.moves()) setVelocity(velocities[joint.rowB], vb);
@@ -46,7 +28,7 @@ template <class Velocity>
 real visitGroup(DirectGroup& group, JointSystem& system, const std::vector<Motion>& motions,
                 std::vector<Velocity>& velocities)
 {
-    std::vector<JointVelocity>& own = system.velocities;
+    std::vector<BodyMotion<real>>& own = system.velocities;
     own.clear();
     for (const std::uint32_t row : group.rows) own.push_back(velocityOf(velocities[row]));
     real change = solveDirect(group, system.joints, motions, own);
@@ -114,9 +96,12 @@ void settleJoints(JointSystem& system, std::vector<Motion>& rows, std::vector<Ti
                   const StepContext& context)
 {
     const real restless = context.tuning.restless * context.lengthUnit;
-    std::vector<JointVelocity> old(rows.size());
+    std::vector<BodyMotion<real>>& old = system.before;
+    old.resize(rows.size());
     for (std::size_t i = 0; i < rows.size(); ++i) old[i] = velocityOf(rows[i]);
-    std::vector<real> unrest(system.wholeGroups.size()), before;
+    std::vector<real>&unrest = system.unrest, &before = system.unrestBefore;
+    unrest.assign(system.wholeGroups.size(), 0);
+    before.clear();
     for (int pass = 0; pass <= context.tuning.extraPasses; ++pass) {
         for (JointRows& joint : system.joints) {
             if (system.stiffGroups[joint.group]) continue;
@@ -130,7 +115,7 @@ void settleJoints(JointSystem& system, std::vector<Motion>& rows, std::vector<Ti
     for (std::size_t d = 0; d < system.directCount; ++d) visitGroup(system.direct[d], system, rows, rows);
     for (std::size_t i = 0; i < rows.size(); ++i) {
         if (system.groupOf[i] == JointSystem::kNone) continue;
-        const Vec2 change = rows[i].velocity - old[i].linear;
+        const Vec2 change = rows[i].velocity - old[i].velocity;
         const real turn = rows[i].spin - old[i].spin;
         changes[i].velocity += change;
         changes[i].spin += turn;

@@ -4,8 +4,8 @@
 
 #include "islands/links.hpp"
 #include "joints/tick.hpp"
-#include "math/lane.hpp"
 #include "solver/calm.hpp"
+#include "solver/tick_rows.hpp"
 
 #include <vector>
 

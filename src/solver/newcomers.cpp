@@ -24,7 +24,7 @@ void enter(ImpactStage& stage, std::uint32_t body, const StepContext& context)
     TickRows& lanes = stage.rows;
     lanes.origins.push_back(rows.back().center);
     lanes.poses.push_back(poseRow(rows.back(), rows.back().center));
-    lanes.velocities.push_back(velocityRow(rows.back()));
+    lanes.velocities.push_back(laneRow(velocityOf(rows.back())));
     for (std::vector<LaneRow>* each : {&lanes.steady, &lanes.expected, &lanes.outside, &lanes.pushes})
         each->resize(rows.size());
 }
@@ -34,24 +34,11 @@ namespace {
 // As a contact that has been in the step from the start is at this point of a tick.
 void bringIn(ImpactStage& stage, Contact c)
 {
-    std::vector<Motion>& rows = stage.motions.rows;
-    const Motion &a = rows[c.rowA], &b = rows[c.rowB];
     c.stepImpulse = {};
     c.impacts = 0;
     c.fastestImpact = 0;
-    prepareContact(c, a, b);
-    LaneRow &carriedA = stage.rows.steady[c.rowA], &carriedB = stage.rows.steady[c.rowB];
-    BodyMotion<real> steadyA{{carriedA.x, carriedA.y}, carriedA.z},
-        steadyB{{carriedB.x, carriedB.y}, carriedB.z};
-    addSteady(c, a, b, steadyA, steadyB);
-    bool loaded = false;
-    for (ContactPointRow& point : c.points) {
-        point.stepNormal = point.stepTangent = 0;
-        point.wasLoaded = point.normalImpulse > 0;
-        loaded = loaded || point.wasLoaded;
-    }
-    carriedA = {steadyA.velocity.x, steadyA.velocity.y, steadyA.spin, loaded ? real(1) : carriedA.w};
-    carriedB = {steadyB.velocity.x, steadyB.velocity.y, steadyB.spin, loaded ? real(1) : carriedB.w};
+    for (ContactPointRow& point : c.points) point.stepNormal = point.stepTangent = 0;
+    startLoose(c, stage.motions, stage.rows);
     stage.contacts.order.push_back(static_cast<std::uint32_t>(stage.contacts.rows.size()));
     stage.contacts.rows.push_back(c);
 }
@@ -102,16 +89,13 @@ void rouse(ImpactStage& stage, std::uint32_t group, const StepContext& context, 
         if (onA || onB) stage.islands.groundOf[island] = onA ? c.rowA : c.rowB;
     }
     bringInPartners(stage, sleepers, context);
+    for (std::size_t row = first; row < motions.rows.size(); ++row)
+        takeSteady(motions.rows[row], stage.rows.steady[row]);
     bringInJoints(stage.joints, stage.world.bodies, motions, stage.system, first);
-    for (const std::uint32_t body : sleepers.bodies) {
-        const std::uint32_t row = motions.rowOf[body];
+    for (std::size_t row = first; row < motions.rows.size(); ++row) {
         Motion& m = motions.rows[row];
-        LaneRow& carried = stage.rows.steady[row];
-        m.steady = {carried.x, carried.y};
-        m.steadySpin = carried.z;
-        m.loaded = carried.w > 0;
         limitSteady(m, context);
-        carried = {m.steady.x, m.steady.y, m.steadySpin, 0};
+        stage.rows.steady[row] = steadyRow(m);
         stage.scratch.flights[row] = flightOf(m, context.invH);
     }
     stage.roused.push_back(group);

@@ -15,16 +15,10 @@ namespace {
 void addSteadyOfJoints(SolverStage& stage, TickRows& lanes)
 {
     std::vector<Motion>& rows = stage.motions.rows;
-    for (std::size_t i = 0; i < rows.size(); ++i) {
-        rows[i].steady = {lanes.steady[i].x, lanes.steady[i].y};
-        rows[i].steadySpin = lanes.steady[i].z;
-        rows[i].loaded = lanes.steady[i].w > 0;
-    }
+    for (std::size_t i = 0; i < rows.size(); ++i) takeSteady(rows[i], lanes.steady[i]);
     addSteadyJoints(stage.joints, stage.system, rows);
     spreadLoad(stage.system, rows);
-    for (std::size_t i = 0; i < rows.size(); ++i)
-        lanes.steady[i] = {rows[i].steady.x, rows[i].steady.y, rows[i].steadySpin,
-                           rows[i].loaded ? real(1) : real(0)};
+    for (std::size_t i = 0; i < rows.size(); ++i) lanes.steady[i] = steadyRow(rows[i]);
 }
 
 // What the passes made of the velocities, for what joints tie.
@@ -32,7 +26,7 @@ void storeJointed(SolverStage& stage, const TickRows& lanes)
 {
     for (std::size_t i = 0; i < stage.motions.rows.size(); ++i)
         if (stage.system.groupOf[i] != JointSystem::kNone)
-            setVelocity(stage.motions.rows[i], lanes.velocities[i]);
+            setVelocity(stage.motions.rows[i], velocityOf(lanes.velocities[i]));
 }
 
 // The joints at their new places: for what is halved, the second half of what they carry turns with them.
@@ -85,7 +79,7 @@ std::uint32_t accelerateAfterDrift(SolverStage& stage, const StepContext& contex
 void driftRow(SolverScratch& scratch, std::size_t i, Motion& m, const StepContext& context)
 {
     TickChange& change = scratch.changes[i];
-    setVelocity(m, scratch.rows.velocities[i]);
+    setVelocity(m, velocityOf(scratch.rows.velocities[i]));
     const Vec2 solved = change.velocity + m.velocity;
     change.velocity = solved + m.steady;
     change.spin += m.spin + m.steadySpin;
@@ -177,7 +171,7 @@ SolverCounts solve(SolverStage& stage, const StepContext& context)
         for (std::size_t i = 0; i < rows.size(); ++i) {
             kickFirst(rows[i], scratch.kicks[i]);
             scratch.changes[i] = {-rows[i].velocity, -rows[i].spin};
-            lanes.velocities[i] = velocityRow(rows[i]);
+            setVelocity(lanes.velocities[i], velocityOf(rows[i]));
         }
         const JointWorld jointWorld{stage.joints, stage.world.bodies, stage.motions, stage.islands, context};
         if (hasJoints) {

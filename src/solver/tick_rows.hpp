@@ -20,14 +20,38 @@ struct TickRows {
     std::vector<LaneRow> pushes;  // displacements, as velocities over a tick [m/s], [rad/s]
 };
 
-inline LaneRow velocityRow(const Motion& m)
+inline LaneRow laneRow(const BodyMotion<real>& motion, real w = 0)
 {
-    return {m.velocity.x, m.velocity.y, m.spin, 0};
+    return {motion.velocity.x, motion.velocity.y, motion.spin, w};
 }
-inline void setVelocity(Motion& m, const LaneRow& row)
+inline BodyMotion<real> velocityOf(const LaneRow& row)
 {
-    m.velocity = {row.x, row.y};
-    m.spin = row.z;
+    return {{row.x, row.y}, row.z};
+}
+inline BodyMotion<real> velocityOf(const Motion& m)
+{
+    return {m.velocity, m.spin};
+}
+inline void setVelocity(LaneRow& row, const BodyMotion<real>& motion)
+{
+    row = laneRow(motion);
+}
+inline void setVelocity(Motion& m, const BodyMotion<real>& motion)
+{
+    m.velocity = motion.velocity;
+    m.spin = motion.spin;
+}
+
+/// What rows of TickRows::steady say of a body, and the reverse.
+inline void takeSteady(Motion& m, const LaneRow& row)
+{
+    m.steady = {row.x, row.y};
+    m.steadySpin = row.z;
+    m.loaded = row.w > 0;
+}
+inline LaneRow steadyRow(const Motion& m)
+{
+    return {m.steady.x, m.steady.y, m.steadySpin, m.loaded ? real(1) : real(0)};
 }
 inline LaneRow poseRow(const Motion& m, Position origin)
 {

@@ -96,6 +96,31 @@ TEST(Allocations, NoneIsMadeInAStepOfAWarmPile)
     EXPECT_GT(world.lastReport().touching, 40u);
 }
 
+// A chain that is solved at once and one that is solved joint by joint. They hang and swing a little, so that
+// what the broad phase finds is much the same in each step.
+TEST(Allocations, NoneIsMadeInAStepOfWarmChains)
+{
+    TRACES("NFR1", "LC3");
+    WorldDef def;
+    def.allowSleep = false;
+    World world(def);
+    for (const double load : {1.0, 400.0}) {
+        Body last = addDisc(world, {load, 10}, 0.1, {.type = BodyType::Static});
+        for (int i = 0; i < 12; ++i) {
+            const Position at{load, 10 - 0.5 * i};
+            Body link = addBox(world, {at.x, at.y - 0.25}, 0.1, 0.5, {.density = i == 11 ? load : 1});
+            world.createJoint(revoluteAt(last, link, at));
+            last = link;
+        }
+        last.setLinearVelocity(vec(1, 0));
+    }
+    for (const BodyId id : world.bodies())
+        for (Shape shape : world.body(id).shapes()) shape.setFilter({.mask = 0});
+    for (int i = 0; i < 200; ++i) world.step();
+    EXPECT_GT(world.lastReport().stiffGroups, 0u);
+    expectNone(world, [](int) {});
+}
+
 TEST(Allocations, NoneIsMadeInAStepOfAWarmGas)
 {
     TRACES("NFR1", "ADR7", "ADR13");
