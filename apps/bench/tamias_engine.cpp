@@ -38,8 +38,8 @@ ShapeDef shapeOf(const SceneShape& source)
 
 class TamiasEngine final : public Engine {
 public:
-    explicit TamiasEngine(const Scene& scene)
-        : world_(WorldDef{.gravity = toReal(scene.gravity), .allowSleep = scene.sleep})
+    TamiasEngine(const Scene& scene, int threads)
+        : world_(WorldDef{.gravity = toReal(scene.gravity), .allowSleep = scene.sleep, .threads = threads})
     {
         for (const SceneBody& source : scene.bodies) add(source);
     }
@@ -118,9 +118,9 @@ std::string engineTitle()
     return sizeof(real) == 4 ? "Tamias2D, float" : "Tamias2D, double";
 }
 
-std::unique_ptr<Engine> makeEngine(const Scene& scene, const Options&)
+std::unique_ptr<Engine> makeEngine(const Scene& scene, const Options& options)
 {
-    return std::make_unique<TamiasEngine>(scene);
+    return std::make_unique<TamiasEngine>(scene, options.threads);
 }
 
 }  // namespace tamias2d::bench

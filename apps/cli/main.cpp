@@ -120,6 +120,9 @@ void addStepOptions(CLI::App* verb, Options& options)
 {
     verb->add_option("--rate", options.request.rate, "steps per second [Hz]; default: the scene's");
     verb->add_option("--substeps", options.request.substeps, "sub-steps of each step; default: the scene's");
+    verb->add_option("--threads", options.request.threads,
+                     "that work together, 1 to 64; no result depends on it")
+        ->check(CLI::Range(1, 64));
 }
 
 void addRunOptions(CLI::App* verb, Options& options)

@@ -127,6 +127,7 @@ RunResult run(const RunRequest& request)
     const Scene scene = open(request.scene);
     World& world = *scene.world;
     const Timing timing = timingOf(request, scene.info);
+    scene.world->setThreads(request.threads);
 
     // Files first: a path that cannot be written should not cost a run.
     OutputFile traceFile(request.trace), reportFile(request.report), replayFile(request.replay),
@@ -179,6 +180,7 @@ std::uint64_t hash(const RunRequest& request)
 {
     const Scene scene = open(request.scene);
     const Timing timing = timingOf(request, scene.info);
+    scene.world->setThreads(request.threads);
     for (std::int64_t i = 0; i < timing.steps; ++i) scene.world->step(timing.dt(), timing.substeps);
     return scene.world->stateHash();
 }

@@ -25,6 +25,7 @@ struct RunRequest {
     std::optional<std::int64_t> steps;
     std::optional<double> rate;  ///< [Hz]
     std::optional<int> substeps;
+    int threads = 1;
     std::string trace, report, replay, profile;  ///< files to write; empty: none
     /// Called after each step with the steps done and all there are to do.
     std::function<void(std::int64_t, std::int64_t)> onStep;

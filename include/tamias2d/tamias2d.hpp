@@ -21,6 +21,7 @@
 #include <tamias2d/model/material.hpp>
 #include <tamias2d/model/tuning.hpp>
 #include <tamias2d/queries/queries.hpp>
+#include <tamias2d/tasks/task_system.hpp>
 #include <tamias2d/world/fixed_stepper.hpp>
 #include <tamias2d/world/joint.hpp>
 #include <tamias2d/world/report.hpp>

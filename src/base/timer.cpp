@@ -22,6 +22,16 @@ std::size_t Profile::open(const char* name)
     return spans_.size() - 1;
 }
 
+void Profile::add(std::uint32_t thread, double begin, double end)
+{
+    const char* name = "";
+    for (std::size_t i = spans_.size(); i > 0 && *name == 0; --i) {
+        const ProfileSpan& span = spans_[i - 1];
+        if (span.thread == 0 && span.depth + 1 == depth_) name = span.name;
+    }
+    spans_.push_back({name, thread, 0, begin, end});
+}
+
 void Profile::close(std::size_t span)
 {
     spans_[span].end = now();

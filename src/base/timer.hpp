@@ -39,11 +39,13 @@ public:
     }
     std::size_t open(const char* name);
     void close(std::size_t span);
+    /// Adds a span of another thread, with the name of the innermost one that is open.
+    void add(std::uint32_t thread, double begin, double end);
+    /// Since it was switched on; any thread may ask.   [us]
+    double now() const;
     std::span<const ProfileSpan> spans() const { return spans_; }
 
 private:
-    double now() const;
-
     bool on_ = false;
     std::uint32_t depth_ = 0;   // of the next span
     std::chrono::steady_clock::time_point start_;

@@ -50,23 +50,47 @@ void ExpectedPaths::begin(std::size_t rows, real end, real invH)
 {
     ++number_;
     rows_.resize(rows);
+    wanted_.clear();
     end_ = end;
     invH_ = invH;
 }
 
-const ExpectedPaths::Row& ExpectedPaths::rowOf(std::uint32_t row, const Motion& m, const Convex& shape)
+const Trajectory& ExpectedPaths::reckon(std::size_t row, const Motion& m, bool turns)
+{
+    Row& known = rows_[row];
+    known.path = predictedPath(m, m.center, invH_);
+    if (turns) known.path.lookAhead(end_);
+    known.span = SpanOfWay(known.path, end_);
+    return known.path;
+}
+
+void ExpectedPaths::want(std::uint32_t row, bool turns)
 {
     Row& known = rows_[row];
     if (known.number != number_) {
         known.number = number_;
-        known.path = predictedPath(m, m.center, invH_);
-        known.span = SpanOfWay(known.path, end_);
+        known.turns = false;
+        wanted_.push_back(row);
     }
-    if (known.path.aheadTime == 0 && !shape.isDisc()) {
-        known.path.lookAhead(end_);
-        known.span.end = known.path.ahead;
-    }
-    return known;
+    known.turns = known.turns || turns;
+}
+
+void ExpectedPaths::want(const Contact& contact, const ShapeTable& shapes)
+{
+    want(contact.rowA, !shapes.rows[contact.shapeA].convex.isDisc());
+    want(contact.rowB, !shapes.rows[contact.shapeB].convex.isDisc());
+}
+
+void ExpectedPaths::reckonWanted(const MotionTable& motions, Parallel& parallel)
+{
+    constexpr std::size_t kGrain = 64;
+    parallel.forEach(wanted_.size(), kGrain, [&](const Chunk& chunk) {
+        for (std::size_t k = chunk.begin; k < chunk.end; ++k) {
+            const std::uint32_t row = wanted_[k];
+            reckon(row, motions.rows[row], rows_[row].turns);
+        }
+    });
+    wanted_.clear();
 }
 
 namespace {
@@ -79,38 +103,38 @@ Vec2 seenFrom(Position origin, const Motion& m)
 
 }  // namespace
 
-SweptPair ExpectedPaths::pairOf(const Contact& contact, const ShapeTable& shapes, const MotionTable& motions)
+SweptPair ExpectedPaths::pairOf(const Contact& contact, const ShapeTable& shapes,
+                                const MotionTable& motions) const
 {
     const Motion &a = motions.rows[contact.rowA], &b = motions.rows[contact.rowB];
     const Position origin = originOf(a, b);
     const Convex &shapeA = shapes.rows[contact.shapeA].convex, &shapeB = shapes.rows[contact.shapeB].convex;
-    SweptPair pair{shapeA, shapeB, rowOf(contact.rowA, a, shapeA).path, rowOf(contact.rowB, b, shapeB).path,
-                   contact.restGap};
+    SweptPair pair{shapeA, shapeB, rows_[contact.rowA].path, rows_[contact.rowB].path, contact.restGap};
     pair.pathA.position = seenFrom(origin, a);
     pair.pathB.position = seenFrom(origin, b);
     return pair;
 }
 
 PairOnWay ExpectedPaths::pairOnWayOf(const Contact& contact, const ShapeTable& shapes,
-                                     const MotionTable& motions)
+                                     const MotionTable& motions) const
 {
     const Motion &a = motions.rows[contact.rowA], &b = motions.rows[contact.rowB];
     const Position origin = originOf(a, b);
     const Convex &shapeA = shapes.rows[contact.shapeA].convex, &shapeB = shapes.rows[contact.shapeB].convex;
     return {&shapeA,
             &shapeB,
-            &rowOf(contact.rowA, a, shapeA).span,
-            &rowOf(contact.rowB, b, shapeB).span,
+            &rows_[contact.rowA].span,
+            &rows_[contact.rowB].span,
             seenFrom(origin, a),
             seenFrom(origin, b),
             contact.restGap};
 }
 
-std::span<const SweptResult> ExpectedPaths::collide(std::span<Contact* const> contacts,
-                                                    const ShapeTable& shapes, const MotionTable& motions)
+void ExpectedPaths::collide(std::span<Contact* const> contacts, const ShapeTable& shapes,
+                            const MotionTable& motions, SweptResult* results) const
 {
     const auto alone = [&](std::size_t i) {
-        results_[i] = collideSwept(pairOf(*contacts[i], shapes, motions), 0, end_);
+        results[i] = collideSwept(pairOf(*contacts[i], shapes, motions), 0, end_);
     };
     using InLanes = void (*)(const PairOnWay*, int, SweptResult*, bool*);
     // Pairs that wait for their lanes to fill, by kind.
@@ -125,7 +149,7 @@ std::span<const SweptResult> ExpectedPaths::collide(std::span<Contact* const> co
         collideInLanes(waiting.pairs, waiting.count, found, decided);
         for (int k = 0; k < waiting.count; ++k) {
             if (decided[k])
-                results_[waiting.places[k]] = found[k];
+                results[waiting.places[k]] = found[k];
             else
                 alone(waiting.places[k]);
         }
@@ -157,7 +181,6 @@ std::span<const SweptResult> ExpectedPaths::collide(std::span<Contact* const> co
     }
     takeRest(quads, collideQuads);
     takeRest(discs, collideDiscs);
-    return {results_.data(), contacts.size()};
 }
 
 void adoptManifold(Contact& contact, const SweptResult& result, real matchDistance)
@@ -232,23 +255,25 @@ bool mayMeet(const SweptPair& pair, real from, real to, const StepContext& conte
 }
 
 void updateForStep(std::span<Contact> contacts, const ShapeTable& shapes, const MotionTable& motions,
-                   const StepContext& context, ExpectedPaths& paths, ClampCounts& clamps)
+                   const StepContext& context, const ExpectedPaths& paths, ManifoldCounts& counts)
 {
     Contact* pointers[kPairBatch];
+    SweptResult results[kPairBatch];
     for (std::size_t i = 0; i < contacts.size(); ++i) pointers[i] = &contacts[i];
-    const std::span<const SweptResult> results = paths.collide({pointers, contacts.size()}, shapes, motions);
+    paths.collide({pointers, contacts.size()}, shapes, motions, results);
 
     const real dt = static_cast<real>(context.dt);
     for (std::size_t i = 0; i < contacts.size(); ++i) {
         Contact& contact = contacts[i];
         const SweptResult& result = results[i];
         const Convex &a = shapes.rows[contact.shapeA].convex, &b = shapes.rows[contact.shapeB].convex;
-        clamps.advancement += result.exhausted ? 1 : 0;
+        counts.exhausted += result.exhausted ? 1 : 0;
         adoptManifold(contact, result, real(0.3) * maximum(a.size, b.size));
         contact.swept =
             contact.atImpact || result.bends ||
             (contact.count == 0 && withinReach(paths.pairOf(contact, shapes, motions), result.startGap, dt));
         contact.clearance = result.startGap;
+        counts.swept += contact.swept ? 1 : 0;
     }
 }
 

@@ -6,10 +6,10 @@
 #include "model/shapes.hpp"
 #include "model/step_context.hpp"
 #include "narrowphase/side_by_side.hpp"
+#include "tasks/parallel.hpp"
 
 #include <tamias2d/model/clamps.hpp>
 
-#include <array>
 #include <span>
 #include <vector>
 
@@ -31,33 +31,45 @@ SweptPair sweptPairOf(const Contact& contact, const ShapeTable& shapes, const Mo
 
 inline constexpr std::size_t kPairBatch = 64;
 
-/// The ways of bodies within one span of time, from 0 on: each is reckoned once for all pairs of its body.
+/// The ways of bodies within one span of time, from 0 on: each is reckoned once for all pairs of its body,
+/// before anything is asked of those.
 class ExpectedPaths {
 public:
     /// Forgets all; from here on paths are those until `end`.
     void begin(std::size_t rows, real end, real invH);
+    /// Makes room for rows that have come in.
+    void grow(std::size_t rows) { rows_.resize(rows); }
+    /// Reckons the way of a body, seen from its center; with its turn up to the end unless it is only asked
+    /// for discs. Rows may be reckoned side by side.
+    const Trajectory& reckon(std::size_t row, const Motion& m, bool turns);
+    /// Tells that the pair of a contact will be asked for.
+    void want(const Contact& contact, const ShapeTable& shapes);
+    /// Reckons the ways of all that are wanted and have none yet.
+    void reckonWanted(const MotionTable& motions, Parallel& parallel);
+
     /// Both ways of a pair, as sweptPairOf.
-    SweptPair pairOf(const Contact& contact, const ShapeTable& shapes, const MotionTable& motions);
+    SweptPair pairOf(const Contact& contact, const ShapeTable& shapes, const MotionTable& motions) const;
     /// The same as lanes take it.
-    PairOnWay pairOnWayOf(const Contact& contact, const ShapeTable& shapes, const MotionTable& motions);
+    PairOnWay pairOnWayOf(const Contact& contact, const ShapeTable& shapes, const MotionTable& motions) const;
 
     /// How the pairs of up to kPairBatch contacts meet within the span: as collideSwept says of each, in
-    /// lanes where those can decide. Valid until the next call.
-    std::span<const SweptResult> collide(std::span<Contact* const> contacts, const ShapeTable& shapes,
-                                         const MotionTable& motions);
+    /// lanes where those can decide.
+    void collide(std::span<Contact* const> contacts, const ShapeTable& shapes, const MotionTable& motions,
+                 SweptResult* results) const;
 
 private:
     struct Row {
         SpanOfWay span;
-        Trajectory path;             // but for its position
-        std::uint64_t number = 0;    // of the span that it belongs to
+        Trajectory path;  // but for its position
+        std::uint64_t number = 0;  // of the span of time that it is wanted for
+        bool turns = false;
     };
     std::vector<Row> rows_;
-    std::array<SweptResult, kPairBatch> results_;
+    std::vector<std::uint32_t> wanted_;  // rows
     std::uint64_t number_ = 0;
     real end_ = 0, invH_ = 0;
 
-    const Row& rowOf(std::uint32_t row, const Motion& m, const Convex& shape);
+    void want(std::uint32_t row, bool turns);
 };
 
 /// Takes over a manifold; points that were there before keep their impulses, known by their feature
@@ -68,9 +80,15 @@ void adoptManifold(Contact& contact, const SweptResult& result, real matchDistan
 /// it together unforeseen; what impacts deflect is looked at again by them.
 bool mayMeet(const SweptPair& pair, real from, real to, const StepContext& context);
 
+/// What the manifolds of some contacts came to.
+struct ManifoldCounts {
+    std::uint32_t swept = 0;  ///< pairs that are looked at again in every tick
+    std::uint32_t exhausted = 0;  ///< searches for a time of impact that ran out of iterations
+};
+
 /// The manifolds of up to kPairBatch contacts for the whole step, from 0 to dt, which `paths` must be for.
 /// Pairs that may still meet in another way are flagged `swept`: they are looked at again in every tick.
 void updateForStep(std::span<Contact> contacts, const ShapeTable& shapes, const MotionTable& motions,
-                   const StepContext& context, ExpectedPaths& paths, ClampCounts& clamps);
+                   const StepContext& context, const ExpectedPaths& paths, ManifoldCounts& counts);
 
 }  // namespace tamias2d::inline TAMIAS_PRECISION

@@ -68,6 +68,9 @@ struct PredictedWay {
 /// What the impact stage works with; it keeps its memory from step to step.
 struct ImpactScratch {
     ExpectedPaths paths;                     // of bodies within the tick, before any impact
+    std::vector<std::uint8_t> verdicts;      // on swept contacts, see resweepForTick
+    std::vector<Contact*> again;             // those whose ways are to be looked at
+    std::vector<std::uint32_t> exhausted;    // searches that ran out of iterations, by chunk
     std::vector<Flight> flights;             // by row, of those that
     std::vector<std::uint8_t> flies;         // by row: has its flight through this tick been asked for?
     std::vector<std::uint32_t> strays;       // rows that leave their boxes in this tick

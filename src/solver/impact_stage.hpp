@@ -49,6 +49,7 @@ struct ImpactStage {
     std::uint32_t& groups;                 // impacts so far in the step
     std::uint32_t& lawFaults;
     std::vector<std::uint32_t>& roused;    // sleeping groups that impacts of the step have woken
+    Parallel& parallel;
 };
 
 }  // namespace tamias2d::inline TAMIAS_PRECISION

@@ -375,40 +375,56 @@ void resweepForTick(ImpactStage& stage, const std::vector<Way>& ways, const Step
 {
     const std::vector<Motion>& rows = stage.motions.rows;
     const ShapeTable& shapes = stage.world.shapes;
-    ExpectedPaths& paths = stage.scratch.paths;
-    paths.begin(rows.size(), context.h, context.invH);
+    ImpactScratch& scratch = stage.scratch;
 
-    Contact* batch[kPairBatch];
-    std::size_t count = 0;
-    const auto sweep = [&] {
-        const std::span<const SweptResult> results = paths.collide({batch, count}, shapes, stage.motions);
-        for (std::size_t i = 0; i < count; ++i) {
-            Contact& c = *batch[i];
-            const Convex &a = shapes.rows[c.shapeA].convex, &b = shapes.rows[c.shapeB].convex;
-            stage.clamps.advancement += results[i].exhausted ? 1 : 0;
-            c.clearance = results[i].startGap;
-            adoptManifold(c, results[i], real(0.3) * maximum(a.size, b.size));
+    // Which of them may meet in this tick: the others are what the sweep would say without looking.
+    enum Verdict : std::uint8_t { Far, Parts, Near };
+    constexpr std::size_t kGrain = 256;
+    scratch.verdicts.resize(scratch.swept.size());
+    stage.parallel.forEach(scratch.swept.size(), kGrain, [&](const Chunk& chunk) {
+        for (std::size_t k = chunk.begin; k < chunk.end; ++k) {
+            Contact& c = stage.contacts.rows[scratch.swept[k]];
+            const Motion &a = rows[c.rowA], &b = rows[c.rowB];
+            keepClearance(c, ways);
+            const real travel =
+                travelWithin(flightOf(a, context.invH), a, flightOf(b, context.invH), b, context.h);
+            const bool far = c.clearance - travel > nearGap(c);
+            scratch.verdicts[k] = !far ? Near : c.count > 0 ? Parts : Far;
         }
-        count = 0;
-    };
-    for (const std::uint32_t i : stage.scratch.swept) {
+    });
+
+    ExpectedPaths& paths = scratch.paths;
+    paths.begin(rows.size(), context.h, context.invH);
+    scratch.again.clear();
+    for (std::size_t k = 0; k < scratch.swept.size(); ++k) {
+        if (scratch.verdicts[k] == Far) continue;
+        const std::uint32_t i = scratch.swept[k];
         Contact& c = stage.contacts.rows[i];
-        const Motion &a = rows[c.rowA], &b = rows[c.rowB];
-        keepClearance(c, ways);
-        // Too far apart to meet in this tick: what the sweep would say without looking.
-        const real travel =
-            travelWithin(flightOf(a, context.invH), a, flightOf(b, context.invH), b, context.h);
-        const bool far = c.clearance - travel > nearGap(c);
-        if (far && c.count == 0) continue;
         stage.passes.take(i, stage.contacts);
-        if (far) {
+        if (scratch.verdicts[k] == Parts) {
             adoptManifold(c, {}, 0);
             continue;
         }
-        batch[count++] = &c;
-        if (count == kPairBatch) sweep();
+        paths.want(c, shapes);
+        scratch.again.push_back(&c);
     }
-    if (count > 0) sweep();
+    paths.reckonWanted(stage.motions, stage.parallel);
+
+    const std::size_t again = scratch.again.size();
+    scratch.exhausted.assign(Parallel::chunksOf(again, kPairBatch), 0);
+    stage.parallel.forEach(again, kPairBatch, [&](const Chunk& chunk) {
+        const std::span<Contact* const> batch(scratch.again.data() + chunk.begin, chunk.end - chunk.begin);
+        SweptResult results[kPairBatch];
+        paths.collide(batch, shapes, stage.motions, results);
+        for (std::size_t i = 0; i < batch.size(); ++i) {
+            Contact& c = *batch[i];
+            const Convex &a = shapes.rows[c.shapeA].convex, &b = shapes.rows[c.shapeB].convex;
+            scratch.exhausted[chunk.index] += results[i].exhausted ? 1 : 0;
+            c.clearance = results[i].startGap;
+            adoptManifold(c, results[i], real(0.3) * maximum(a.size, b.size));
+        }
+    });
+    for (const std::uint32_t count : scratch.exhausted) stage.clamps.advancement += count;
 }
 
 namespace {

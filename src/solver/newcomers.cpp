@@ -21,6 +21,7 @@ void enter(ImpactStage& stage, std::uint32_t body, const StepContext& context)
     stage.scratch.flies.push_back(1);
     stage.scratch.predicted.emplace_back();  // it has no box to leave
     stage.scratch.predicted.back().slack = std::numeric_limits<real>::max();
+    stage.system.groupOf.resize(rows.size(), JointSystem::kNone);
     TickRows& lanes = stage.rows;
     lanes.origins.push_back(rows.back().center);
     lanes.poses.push_back(poseRow(rows.back(), rows.back().center));

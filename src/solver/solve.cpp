@@ -111,11 +111,11 @@ SolverCounts solve(SolverStage& stage, const StepContext& context)
     std::vector<Motion>& rows = stage.motions.rows;
     TickRows& lanes = scratch.rows;
     std::uint32_t groups = 0;
-    ImpactStage impacts{stage.world,     stage.field,   stage.resting,    stage.asleep,
-                        stage.islands,   stage.motions, stage.contacts,   scratch.passes,
-                        lanes,           stage.joints,  stage.system,     stage.boxes,
-                        scratch.kicks,   stage.impacts, scratch.impacts,  counts.clamps,
-                        counts.repaired, groups,        counts.lawFaults, stage.roused};
+    ImpactStage impacts{
+        stage.world,      stage.field,    stage.resting,   stage.asleep,  stage.islands,   stage.motions,
+        stage.contacts,   scratch.passes, lanes,           stage.joints,  stage.system,    stage.boxes,
+        scratch.kicks,    stage.impacts,  scratch.impacts, counts.clamps, counts.repaired, groups,
+        counts.lawFaults, stage.roused,   stage.parallel};
 
     lanes.origins.resize(rows.size());
     lanes.poses.resize(rows.size());

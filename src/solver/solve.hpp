@@ -42,6 +42,7 @@ struct SolverStage {
     std::vector<std::uint32_t>& roused;   ///< filled: sleeping groups that woke in mid-step
     SolverScratch& scratch;
     Profile& profile;
+    Parallel& parallel;
 };
 
 /// What the solver counted and how long its parts took.

@@ -10,6 +10,8 @@ namespace {
 constexpr double kTiny = std::numeric_limits<float>::min();  // smallest value that divides safely
 constexpr double kHuge = 1e30;                               // and largest: products stay finite in float
 
+constexpr int kMostThreads = TAMIAS_HAS_THREADS != 0 ? kMaxThreads : 1;
+
 // The rules that name a bound put it into words for a refused value only: setters allocate nothing.
 template <class T>
 Complaint checkBound(bool holds, std::string_view field, const T& value, std::string_view rule, double bound,
@@ -63,6 +65,12 @@ Complaint checkMixingRule(std::string_view field, MixingRule rule, bool worldAll
                      worldAllowed ? "must be one of MixingRule" : "must be one of MixingRule, and not World");
 }
 
+Complaint checkThreads(std::string_view field, int threads)
+{
+    return checkThat(threads >= 1 && threads <= kMostThreads, field, threads,
+                     TAMIAS_HAS_THREADS != 0 ? "must be in [1, 64]" : "must be 1 in a build without threads");
+}
+
 Complaint check(const Tuning& t)
 {
     return Checks()
@@ -95,6 +103,7 @@ Complaint check(const WorldDef& def)
         .add(check(def.tuning))
         .add(checkThat(hasLanes(def.lanes), "WorldDef.lanes", static_cast<int>(def.lanes),
                        "must be one of LaneWidth that this machine has"))
+        .add(checkThreads("WorldDef.threads", def.threads))
         .first();
 }
 

@@ -58,22 +58,43 @@ void predictSteady(const ContactTable& contacts, const BodyTable& bodies, const 
     for (Motion& m : motions.rows) limitSteady(m, context);
 }
 
+// The ways of bodies, and the boxes that hold their shapes all along them.
 void sweepBoxes(const BodyTable& bodies, ShapeTable& shapes, const MotionTable& motions,
-                const StepContext& context, std::vector<SweepBox>& boxes)
+                const StepContext& context, ExpectedPaths& paths, std::vector<std::uint32_t>& firstOf,
+                std::vector<SweepBox>& boxes, Parallel& parallel)
 {
-    boxes.clear();
+    constexpr std::size_t kGrain = 64;
     const real dt = static_cast<real>(context.dt);
-    for (std::uint32_t row = 0; row < motions.parts; ++row) {
-        const Motion& m = motions.rows[row];
-        const Trajectory path = predictedPath(m, m.center, context.invH);
-        const bool moves = m.moves() || m.velocity != Vec2{} || m.spin != 0;
-        for (const std::uint32_t slot : bodies.rows[m.body].shapes) {
-            ShapeRow& shape = shapes.rows[slot];
-            const real margin = 3 * context.tuning.restGap * shape.convex.size;
-            shape.sweptBox = sweptBounds(shape.convex, path, m.center, 0, dt, margin);
-            boxes.push_back({shape.sweptBox, slot, m.body, moves});
+    const auto shapesOf = [&](std::size_t row) -> const auto& {
+        return bodies.rows[motions.rows[row].body].shapes;
+    };
+
+    // By chunk: how many boxes, then where they begin.
+    firstOf.assign(Parallel::chunksOf(motions.parts, kGrain), 0);
+    parallel.forEach(motions.parts, kGrain, [&](const Chunk& chunk) {
+        std::size_t count = 0;
+        for (std::size_t row = chunk.begin; row < chunk.end; ++row) count += shapesOf(row).size();
+        firstOf[chunk.index] = static_cast<std::uint32_t>(count);
+    });
+    std::uint32_t start = 0;
+    for (std::uint32_t& count : firstOf) count = (start += count) - count;
+
+    boxes.resize(start);
+    paths.begin(motions.rows.size(), dt, context.invH);
+    parallel.forEach(motions.parts, kGrain, [&](const Chunk& chunk) {
+        SweepBox* next = boxes.data() + firstOf[chunk.index];
+        for (std::size_t row = chunk.begin; row < chunk.end; ++row) {
+            const Motion& m = motions.rows[row];
+            const Trajectory& path = paths.reckon(row, m, true);
+            const bool moves = m.moves() || m.velocity != Vec2{} || m.spin != 0;
+            for (const std::uint32_t slot : shapesOf(row)) {
+                ShapeRow& shape = shapes.rows[slot];
+                const real margin = 3 * context.tuning.restGap * shape.convex.size;
+                shape.sweptBox = sweptBounds(shape.convex, path, m.center, 0, dt, margin);
+                *next++ = {shape.sweptBox, slot, m.body, moves};
+            }
         }
-    }
+    });
 }
 
 // Does a moving shape meet one that sleeps?
@@ -142,7 +163,7 @@ std::uint32_t World::Impl::gather(const ForceField& forces, const StepContext& c
         gatherJoints(joints, bodies, motions, jointSystem);
         predictSteady(contacts, bodies, shapes, joints, jointSystem, motions, context);
         faults = accelerate(motions, bodies, forces, time);
-        sweepBoxes(bodies, shapes, motions, context, boxes);
+        sweepBoxes(bodies, shapes, motions, context, paths, chunkStarts, boxes, parallel);
 
         // What holds still on their way. Those that sleep there and are met wake, and all is gathered again.
         restPairs.clear();
@@ -174,6 +195,10 @@ std::uint32_t World::Impl::gather(const ForceField& forces, const StepContext& c
                 still.push_back(shapes.rows[shape].body);
     sortUnique(still);
     for (const std::uint32_t slot : still) addRow(motions, bodies, slot);
+    jointSystem.groupOf.resize(motions.rows.size(), JointSystem::kNone);
+    paths.grow(motions.rows.size());
+    for (std::size_t row = motions.parts; row < motions.rows.size(); ++row)
+        paths.reckon(row, motions.rows[row], true);
     return faults;
 }
 

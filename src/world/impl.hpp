@@ -18,6 +18,7 @@
 #include "model/shapes.hpp"
 #include "model/sleep.hpp"
 #include "solver/solve.hpp"
+#include "tasks/parallel.hpp"
 
 #include <tamias2d/world/world.hpp>
 
@@ -65,7 +66,7 @@ struct GraphScratch {
 struct World::Impl {
     explicit Impl(const WorldDef& def, std::uint32_t number)
         : id(number), settings(def), bodies(number), shapes(number), joints(number), lawIds(number),
-          solverScratch(def.lanes)
+          parallel(def.threads, def.tasks, profile), solverScratch(def.lanes)
     {
     }
 
@@ -102,17 +103,20 @@ struct World::Impl {
     double stepTime = 0;                    // [s]
 
     Profile profile;
+    Parallel parallel;
 
     // Scratch that keeps its memory from step to step.
     MotionTable motions;
     std::vector<SweepBox> boxes;
+    std::vector<std::uint32_t> chunkStarts;
     std::vector<ShapePair> restPairs;           // of a box and what holds still
     std::vector<std::uint32_t> met;             // groups
     std::vector<std::uint32_t> roused;          // groups
     SleepScratch sleepScratch;
     std::vector<ShapePair> pairs;
     SweepScratch sweepScratch;
-    ExpectedPaths paths;
+    ExpectedPaths paths;                        // of bodies within the step
+    std::vector<ManifoldCounts> manifoldCounts; // by chunk of contacts
     MatchScratch matchScratch;
     GraphScratch graph;
     std::vector<ImpactRecord> impacts;
@@ -231,6 +235,7 @@ Complaint check(const JointBreaking& breaking);
 Complaint checkPosition(std::string_view field, Position position, real lengthUnit);
 Complaint checkVelocity(std::string_view field, Vec2 velocity, real lengthUnit);
 Complaint checkSpin(std::string_view field, real spin);
+Complaint checkThreads(std::string_view field, int threads);
 Complaint checkMixingRule(std::string_view field, MixingRule rule, bool worldAllowed);
 
 /// Raises what was complained about; true if there was something (in builds without exceptions).

@@ -164,15 +164,16 @@ StepReport World::Impl::step(double dt, int substeps)
 
     // How.
     span.next("manifolds");
-    paths.begin(motions.rows.size(), static_cast<real>(dt), context.invH);
-    for (std::size_t first = 0; first < contacts.rows.size(); first += kPairBatch) {
-        const std::size_t count = minimum(kPairBatch, contacts.rows.size() - first);
-        const std::span<Contact> batch(contacts.rows.data() + first, count);
-        updateForStep(batch, shapes, motions, context, paths, r.clamps);
-        for (Contact& contact : batch) {
+    manifoldCounts.assign(Parallel::chunksOf(contacts.rows.size(), kPairBatch), {});
+    parallel.forEach(contacts.rows.size(), kPairBatch, [&](const Chunk& chunk) {
+        const std::span<Contact> batch(contacts.rows.data() + chunk.begin, chunk.end - chunk.begin);
+        updateForStep(batch, shapes, motions, context, paths, manifoldCounts[chunk.index]);
+        for (Contact& contact : batch)
             prepareContact(contact, motions.rows[contact.rowA], motions.rows[contact.rowB]);
-            r.sweptPairs += contact.swept ? 1 : 0;
-        }
+    });
+    for (const ManifoldCounts& counts : manifoldCounts) {
+        r.sweptPairs += counts.swept;
+        r.clamps.advancement += counts.exhausted;
     }
     r.times.manifolds = watch.lap();
 
@@ -188,8 +189,8 @@ StepReport World::Impl::step(double dt, int substeps)
     span.next("solve");
     impacts.clear();
     roused.clear();
-    SolverStage stage{world,  forces,      resting, asleep,  graph.islands, motions,       contacts,
-                      joints, jointSystem, boxes,   impacts, roused,        solverScratch, profile};
+    SolverStage stage{world,       forces, resting, asleep, graph.islands, motions, contacts, joints,
+                      jointSystem, boxes,  impacts, roused, solverScratch, profile, parallel};
     const SolverCounts counts = solve(stage, context);
     for (const std::uint32_t group : roused) wakeGroup(group, false);  // their contacts are here already
     r.clamps.speed += counts.clamps.speed;

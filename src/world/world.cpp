@@ -178,6 +178,15 @@ void World::setAllowSleep(bool allow)
     impl_->settings.allowSleep = allow;
 }
 
+void World::setThreads(int threads, TaskSystem* tasks)
+{
+    if (refuse(checkThreads("threads", threads))) return;
+    if (threads == impl_->settings.threads && tasks == impl_->settings.tasks) return;
+    impl_->settings.threads = threads;
+    impl_->settings.tasks = tasks;
+    impl_->parallel.use(threads, tasks);
+}
+
 ForceLawId World::addForceLaw(ForceLaw law)
 {
     if (refuse(checkThat(static_cast<bool>(law.force), "ForceLaw.force", "empty", "must be a function")))

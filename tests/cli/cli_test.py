@@ -87,6 +87,13 @@ class Run(Case):
         self.assertEqual(self.report(self.path("ball.json", BALL), "--steps", 7)["steps"], 7)
         self.assertEqual(self.report(self.path("ball.json", BALL), "--steps", 0)["steps"], 0)
 
+    def test_threads_change_no_result(self):
+        one = self.report("pyramid:base=15", "--steps", 20)
+        many = self.report("pyramid:base=15", "--steps", 20, "--threads", 3)
+        self.assertEqual(one["hash"], many["hash"])
+        for wrong in (0, 65, "x"):
+            self.assertIn("--threads", self.refusal("run", "pyramid", "--threads", wrong))
+
     def test_substeps_change_the_result_of_an_orbit(self):
         one = self.report("orbit", "--steps", 60, "--substeps", 1)
         many = self.report("orbit", "--steps", 60, "--substeps", 16)

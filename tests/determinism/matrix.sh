@@ -51,7 +51,7 @@ echo "#include \"$root/tests/determinism/probe.cpp\"" >>"$unity"
 run_build() {
     local compiler optimisation isa name=${1//:/_}
     IFS=: read -r compiler optimisation isa <<<"$1"
-    local flags=(-std=c++20 -ffp-contract=off "-O$optimisation" "-I$root/include" "-I$root/src" -Wno-psabi) runner=()
+    local flags=(-std=c++20 -ffp-contract=off "-O$optimisation" "-I$root/include" "-I$root/src" -Wno-psabi -pthread) runner=()
     case $isa in
         sse2 | avx2) flags+=("-m$isa") ;;
         neon) flags+=(-static); runner=(qemu-aarch64) ;;

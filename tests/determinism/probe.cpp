@@ -136,21 +136,49 @@ void sleepers(World& world)
     other.createShape({.geometry = Circle{.radius = real(0.3)}, .material = elastic});
 }
 
-void print(const char* name, void (*fill)(World&))
+// Enough of them that loops are shared out to threads.
+void heap(World& world)
+{
+    Dice dice;
+    addFloor(world);
+    for (int i = 0; i < 240; ++i) {
+        Body body = world.createBody({.position = {double(i % 20) * 1.1 - 10.5, 0.6 + double(i / 20) * 1.1},
+                                      .angle = double(dice.between(real(-0.2), real(0.2)))});
+        if (i % 4 == 0)
+            body.createShape({.geometry = Circle{.radius = real(0.5)}});
+        else
+            body.createShape({.geometry = makeBox(1, dice.between(real(0.6), 1))});
+    }
+}
+
+// Threads of the probe's own are compared on x86 only; other processors are emulated.
+#if defined(__x86_64__)
+constexpr int kThreads[] = {2, 3, 8};
+#else
+constexpr int kThreads[] = {1};
+#endif
+
+std::uint64_t hashOf(void (*fill)(World&), int steps, const WorldDef& def)
+{
+    World world(def);
+    fill(world);
+    for (int i = 0; i < steps; ++i) world.step();
+    return world.stateHash();
+}
+
+void print(const char* name, void (*fill)(World&), int steps = kSteps)
 {
     const char* const precision = sizeof(real) == 4 ? "f32" : "f64";
-    std::uint64_t first = 0;
     using enum LaneWidth;
-    for (const LaneWidth lanes : {Scalar, Bytes16, Bytes32, Bytes64}) {
-        if (!hasLanes(lanes)) continue;
-        World world({.lanes = lanes});
-        fill(world);
-        for (int i = 0; i < kSteps; ++i) world.step();
-        if (lanes == Scalar)
-            std::printf("%s %s %016" PRIx64 "\n", precision, name, first = world.stateHash());
-        else if (world.stateHash() != first)
+    const std::uint64_t first = hashOf(fill, steps, {.lanes = Scalar});
+    std::printf("%s %s %016" PRIx64 "\n", precision, name, first);
+    for (const LaneWidth lanes : {Bytes16, Bytes32, Bytes64})
+        if (hasLanes(lanes) && hashOf(fill, steps, {.lanes = lanes}) != first)
             std::printf("%s %s differs with lanes %d\n", precision, name, static_cast<int>(lanes));
-    }
+    // A lane of one number makes the most work to share out.
+    for (const int threads : kThreads)
+        if (hashOf(fill, steps, {.lanes = Scalar, .threads = threads}) != first)
+            std::printf("%s %s differs with %d threads\n", precision, name, threads);
 }
 
 }  // namespace
@@ -162,4 +190,5 @@ int main()
     print("machines", machines);
     print("forces", forces);
     print("sleepers", sleepers);
+    print("heap", heap, 60);
 }

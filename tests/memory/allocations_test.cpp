@@ -96,6 +96,22 @@ TEST(Allocations, NoneIsMadeInAStepOfAWarmPile)
     EXPECT_GT(world.lastReport().touching, 40u);
 }
 
+TEST(Allocations, NoneIsMadeByThreadsInAStepOfAWarmPile)
+{
+    TRACES("NFR1", "ADR26");
+    WorldDef def;
+    def.allowSleep = false;
+    def.threads = 3;
+    World world(def);
+    world.setProfiling(true);
+    addGround(world);
+    for (int row = 0; row < 6; ++row)
+        for (int i = 0; i < 60; ++i) addBox(world, {1.1 * i - 33, 0.501 + 1.001 * row}, 1, 1);
+    for (int i = 0; i < 200; ++i) world.step();
+    expectNone(world, [](int) {});
+    EXPECT_GT(world.lastReport().touching, 300u);
+}
+
 // A chain that is solved at once and one that is solved joint by joint. They hang and swing a little, so that
 // what the broad phase finds is much the same in each step.
 TEST(Allocations, NoneIsMadeInAStepOfWarmChains)

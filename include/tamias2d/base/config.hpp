@@ -22,6 +22,13 @@
 #define TAMIAS_HAS_EXCEPTIONS 0
 #endif
 
+// Has this build threads of its own? WebAssembly without shared memory has none.
+#if defined(__wasm__) && !defined(__wasm_atomics__)
+#define TAMIAS_HAS_THREADS 0
+#else
+#define TAMIAS_HAS_THREADS 1
+#endif
+
 namespace tamias2d::inline TAMIAS_PRECISION {
 
 /// The scalar of vectors, masses and velocities. Places are always double (Position) [ADR3].

@@ -8,6 +8,7 @@
 #include <tamias2d/math/transform.hpp>
 #include <tamias2d/model/material.hpp>
 #include <tamias2d/model/tuning.hpp>
+#include <tamias2d/tasks/task_system.hpp>
 
 #include <cstdint>
 #include <optional>
@@ -33,6 +34,10 @@ struct WorldDef {
     bool allowSleep = true;  ///< bodies at rest fall asleep: they cost nothing until something happens
     Tuning tuning = {};
     LaneWidth lanes = LaneWidth::Best;  ///< one that this machine has; no result depends on it
+    /// That step() works with, the calling one included; the World starts and keeps the others, or as many as
+    /// the system gives. No result depends on it.   1 to kMaxThreads; 1 in builds without threads
+    int threads = 1;
+    TaskSystem* tasks = nullptr;  ///< a host's own threads instead; it outlives the World
 };
 
 /// Nature's constant of gravitation, as the SRS states it [T3].

@@ -9,6 +9,7 @@
 #include <tamias2d/model/defs.hpp>
 #include <tamias2d/model/events.hpp>
 #include <tamias2d/queries/queries.hpp>
+#include <tamias2d/tasks/task_system.hpp>
 #include <tamias2d/world/joint.hpp>
 #include <tamias2d/world/report.hpp>
 
@@ -168,8 +169,8 @@ private:
 
 /// A set of bodies, shapes and joints, and the one function that moves them: step() [R1].
 ///
-/// The same calls in the same order give the same bits on every supported platform [ADR6]. One
-/// thread at a time may call a World; separate Worlds share nothing.
+/// The same calls in the same order give the same bits on every supported platform [ADR6], with any number of
+/// threads. One thread at a time may call a World; separate Worlds share nothing.
 class World {
 public:
     /// @throws InputError naming the field of `def` that is wrong, its value and the rule
@@ -206,6 +207,8 @@ public:
     /// False wakes all.
     void setAllowSleep(bool allow);
     void setMixingRules(MixingRule friction, MixingRule restitution);  ///< not MixingRule::World
+    /// As WorldDef::threads and tasks: of the steps from now on. Wakes nothing, changes no result.
+    void setThreads(int threads, TaskSystem* tasks = nullptr);
     ForceLawId addForceLaw(ForceLaw law);  ///< on every dynamic body
     void removeForceLaw(ForceLawId id);
     /// The laws in force, in order of addition, and the body each acts on (null: all).

@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: MIT
+#include "tasks/thread_pool.hpp"
+
+#if TAMIAS_HAS_THREADS
+
+#include <system_error>
+
+namespace tamias2d::inline TAMIAS_PRECISION {
+namespace {
+
+// Some 20 to 50 us. Threads that share a processor do not look: they would keep each other waiting.
+int looksOf(int threads)
+{
+    constexpr int kLooks = 1500;
+    return static_cast<unsigned>(threads) <= std::thread::hardware_concurrency() ? kLooks : 0;
+}
+
+}  // namespace
+
+void Gate::breathe()
+{
+#if defined(__x86_64__) || defined(__i386__)
+    __builtin_ia32_pause();
+#elif defined(__aarch64__)
+    asm volatile("yield");
+#endif
+}
+
+void Gate::notify(int threads)
+{
+    const int asleep = sleepers_.load();
+    if (asleep == 0) return;
+    {
+        const std::lock_guard<std::mutex> lock(mutex_);
+    }  // nobody is between looking and sleeping now
+    if (threads >= asleep) {
+        wake_.notify_all();
+    } else {
+        for (int i = 0; i < threads; ++i) wake_.notify_one();
+    }
+}
+
+ThreadPool::ThreadPool(int threads) : begun_(looksOf(threads)), finished_(looksOf(threads))
+{
+    workers_.reserve(static_cast<std::size_t>(threads - 1));
+    const auto start = [&] {
+        while (static_cast<int>(workers_.size()) + 1 < threads) workers_.emplace_back([this] { work(); });
+    };
+#if TAMIAS_HAS_EXCEPTIONS
+    try {
+        start();
+    } catch (const std::system_error&) {  // no more to be had: the results are the same with fewer
+    }
+#else
+    start();
+#endif
+}
+
+ThreadPool::~ThreadPool()
+{
+    untaken_.store(kStop);
+    begun_.notify(threads());
+    for (std::thread& worker : workers_) worker.join();
+}
+
+void ThreadPool::run(Task& task, int parts)
+{
+    if (parts <= 0) return;
+    task_ = &task;
+    parts_ = parts;
+    unfinished_.store(parts);
+    untaken_.store(parts);  // from here on others take
+    begun_.notify(parts - 1);
+    doParts();
+    finished_.await([this] { return unfinished_.load() == 0; });
+}
+
+void ThreadPool::work()
+{
+    for (;;) {
+        begun_.await([this] { return untaken_.load() != 0; });
+        if (untaken_.load() == kStop) return;
+        doParts();
+    }
+}
+
+// A thread that comes late may find the parts of a later run, and takes one of those as well.
+bool ThreadPool::takePart(int& part)
+{
+    int left = untaken_.load();
+    do {
+        if (left <= 0) return false;
+    } while (!untaken_.compare_exchange_weak(left, left - 1));
+    part = parts_ - left;
+    return true;
+}
+
+void ThreadPool::doParts()
+{
+    int part = 0;
+    while (takePart(part)) {
+        task_->run(part);
+        if (unfinished_.fetch_sub(1) == 1) finished_.notify(1);
+    }
+}
+
+}  // namespace tamias2d::inline TAMIAS_PRECISION
+
+#endif
