@@ -21,6 +21,12 @@ void setMotion(FourLanes<W>& rows, const BodyMotion<Lane<W>>& motion)
     rows.z = motion.spin;
 }
 
+// Others may mark the same at the same time.
+inline void mark(std::uint8_t& flag)
+{
+    __atomic_store_n(&flag, std::uint8_t{1}, __ATOMIC_RELAXED);
+}
+
 // Adds what the tick before gave to the sums of the step.
 template <int W>
 void addUp(const ContactBlock<W>& block, ContactSource<W>& source)
@@ -221,7 +227,7 @@ void ContactKernels<W>::pass(Block* blocks, std::size_t count, TickRows& rows, c
         const auto changed = change > limit;
         if (!any(changed)) continue;
         for (int lane = 0; lane < W; ++lane)
-            if ((lanes >> lane & 1u) != 0 && changed.v[lane] != 0) unrest[block.island[lane]] = 1;
+            if ((lanes >> lane & 1u) != 0 && changed.v[lane] != 0) mark(unrest[block.island[lane]]);
     }
 }
 

@@ -6,12 +6,16 @@
 #include "solver/contact_kernels.hpp"
 #include "solver/flight.hpp"
 
+#include <algorithm>
+
 namespace tamias2d::inline TAMIAS_PRECISION {
 namespace {
 
 template <int W>
 class ContactLanesOf final : public ContactLanes {
 public:
+    explicit ContactLanesOf(Parallel& parallel) : parallel_(parallel) {}
+
     void build(const ContactTable& contacts, const MotionTable& motions, const Islands& islands,
                const StepContext& context) override;
     bool hasLane(std::uint32_t contact) const override
@@ -27,37 +31,36 @@ public:
     void unload(std::uint32_t contact, Contact& row) override;
     void unloadAll(std::vector<Contact>& rows) override;
 
-    void prepare(TickRows& rows, const StepContext& context, std::vector<std::uint32_t>& open) override
-    {
-        const std::size_t before = open.size();
-        open.resize(before + W * blocks_.size());
-        open.resize(before + Kernels::prepare(blocks_.data(), sources_.data(), blocks_.size(), rows, context,
-                                              open.data() + before));
-        solved_ = false;
-    }
+    void loadMarked(const std::vector<std::uint8_t>& marks, std::uint8_t mark,
+                    const std::vector<Contact>& contacts, const MotionTable& motions,
+                    const TickRows& rows) override;
+
+    void prepare(TickRows& rows, const StepContext& context, std::vector<std::uint32_t>& open) override;
     void findApproaching(const TickRows& rows, const StepContext& context, real fastest,
-                         std::vector<std::uint32_t>& found) const override
-    {
-        found.resize(W * blocks_.size());
-        found.resize(Kernels::findApproaching(blocks_.data(), sources_.data(), blocks_.size(), rows, context,
-                                              fastest, found.data()));
-    }
+                         std::vector<std::uint32_t>& found) const override;
     int colors() const override { return static_cast<int>(colorEnds_.size()); }
     void pass(int color, TickRows& rows, const std::uint8_t* visited, std::uint8_t* unrest,
               real restless) override
     {
         solved_ = true;
-        Kernels::pass(blocks_.data() + firstOf(color), countOf(color), rows, visited, unrest, restless);
+        eachChunk(color, [&](std::size_t first, std::size_t count, std::size_t) {
+            Kernels::pass(blocks_.data() + first, count, rows, visited, unrest, restless);
+        });
     }
     void push(int color, TickRows& rows, const StepContext& context, ClampCounts& clamps) override
     {
-        clamps.push += Kernels::push(blocks_.data() + firstOf(color), sources_.data() + firstOf(color),
-                                     countOf(color), rows, context);
+        counts_.assign(Parallel::chunksOf(countOf(color), kGrain), 0);
+        eachChunk(color, [&](std::size_t first, std::size_t count, std::size_t chunk) {
+            counts_[chunk] =
+                Kernels::push(blocks_.data() + first, sources_.data() + first, count, rows, context);
+        });
+        for (const std::size_t held : counts_) clamps.push += static_cast<std::uint32_t>(held);
     }
     void repay(int color, TickRows& rows, const StepContext& context) override
     {
-        Kernels::repay(blocks_.data() + firstOf(color), sources_.data() + firstOf(color), countOf(color),
-                       rows, context);
+        eachChunk(color, [&](std::size_t first, std::size_t count, std::size_t) {
+            Kernels::repay(blocks_.data() + first, sources_.data() + first, count, rows, context);
+        });
     }
 
 private:
@@ -65,13 +68,18 @@ private:
     using Block = ContactBlock<W>;
     using Source = ContactSource<W>;
     static constexpr std::uint32_t kNone = 0xffffffffu;
+    static constexpr std::size_t kGrain = 256 / W;   // blocks that are worth a thread's while
 
+    Parallel& parallel_;
     StepContext context_;
     std::vector<std::uint32_t> laneOf_;      // by contact: block times W, plus lane
     std::vector<Block> blocks_;              // color by color
     std::vector<Source> sources_;
     std::vector<std::size_t> colorEnds_;     // in blocks
+    std::vector<std::uint8_t> kinds_;        // by contact: which of these lists it belongs to
     std::vector<std::uint32_t> sorted_[3];   // contacts of a color: of two points, of one, of none yet
+    std::vector<std::uint32_t> slots_;       // contacts by lane; kNone for an empty one
+    mutable std::vector<std::size_t> counts_;   // by chunk
     bool solved_ = false;                    // have the passes of the tick begun?
 
     std::size_t firstOf(int color) const
@@ -82,40 +90,116 @@ private:
     {
         return colorEnds_[static_cast<std::size_t>(color)] - firstOf(color);
     }
+    // Calls body(first block, blocks, number of the chunk) for each chunk of a color.
+    template <class Body>
+    void eachChunk(int color, Body body)
+    {
+        const std::size_t start = firstOf(color);
+        parallel_.forEach(countOf(color), kGrain, [&](const Chunk& chunk) {
+            body(start + chunk.begin, chunk.end - chunk.begin, chunk.index);
+        });
+    }
+    void sortByKind(const ContactTable& contacts);
     void place(std::uint32_t contact, const Contact& row, std::size_t slot, const MotionTable& motions,
                const Islands& islands);
 };
 
-// Two points first, so that blocks of one point need not look for a second.
 template <int W>
 void ContactLanesOf<W>::build(const ContactTable& contacts, const MotionTable& motions,
                               const Islands& islands, const StepContext& context)
 {
     context_ = context;
-    laneOf_.assign(contacts.rows.size(), std::uint32_t{kNone});
-    blocks_.clear();
-    sources_.clear();
-    colorEnds_.clear();
     solved_ = false;
+    sortByKind(contacts);
+    laneOf_.resize(contacts.rows.size());
+    std::fill(laneOf_.begin(), laneOf_.end(), kNone);
+    blocks_.resize(slots_.size() / W);
+    sources_.resize(blocks_.size());
+    parallel_.forEach(blocks_.size(), kGrain, [&](const Chunk& chunk) {
+        for (std::size_t k = chunk.begin; k < chunk.end; ++k) {
+            blocks_[k] = {};
+            sources_[k] = {};
+            for (std::size_t slot = k * W; slot < (k + 1) * W; ++slot)
+                if (slots_[slot] != kNone)
+                    place(slots_[slot], contacts.rows[slots_[slot]], slot, motions, islands);
+        }
+    });
+}
+
+// Who gets which lane. Two points first, so that blocks of one point need not look for a second.
+template <int W>
+void ContactLanesOf<W>::sortByKind(const ContactTable& contacts)
+{
+    constexpr std::uint8_t kNoLane = 3;
+    constexpr std::size_t kContacts = 512;
+    kinds_.resize(contacts.rows.size());
+    parallel_.forEach(contacts.rows.size(), kContacts, [&](const Chunk& chunk) {
+        for (std::size_t i = chunk.begin; i < chunk.end; ++i) {
+            const Contact& c = contacts.rows[i];
+            const bool hasLane = !(c.rolling > 0) && (c.count > 0 || c.swept);
+            kinds_[i] = hasLane ? static_cast<std::uint8_t>(2 - c.count) : kNoLane;
+        }
+    });
+
+    slots_.clear();
+    colorEnds_.clear();
     std::size_t at = 0;
     // The last color is visited in order, and what is found in mid-step has no lane either.
     for (std::size_t color = 0; color + 1 < contacts.colorEnds.size(); ++color) {
         for (auto& list : sorted_) list.clear();
         for (; at < contacts.colorEnds[color]; ++at) {
             const std::uint32_t i = contacts.order[at];
-            const Contact& c = contacts.rows[i];
-            if (c.rolling > 0 || (c.count == 0 && !c.swept)) continue;
-            sorted_[2 - c.count].push_back(i);
+            if (kinds_[i] != kNoLane) sorted_[kinds_[i]].push_back(i);
         }
-        std::size_t slot = blocks_.size() * W;
         const std::size_t count = sorted_[0].size() + sorted_[1].size() + sorted_[2].size();
         if (count == 0 && at == contacts.order.size()) break;
-        blocks_.resize(blocks_.size() + (count + W - 1) / W);
-        sources_.resize(blocks_.size());
-        for (const auto& list : sorted_)
-            for (const std::uint32_t i : list) place(i, contacts.rows[i], slot++, motions, islands);
-        colorEnds_.push_back(blocks_.size());
+        for (const auto& list : sorted_) slots_.insert(slots_.end(), list.begin(), list.end());
+        slots_.resize((slots_.size() + W - 1) / W * W, std::uint32_t{kNone});
+        colorEnds_.push_back(slots_.size() / W);
     }
+}
+
+template <int W>
+void ContactLanesOf<W>::prepare(TickRows& rows, const StepContext& context, std::vector<std::uint32_t>& open)
+{
+    solved_ = false;
+    const std::size_t before = open.size();
+    std::size_t end = before;
+    open.resize(before + W * blocks_.size());
+    for (int color = 0; color < colors(); ++color) {
+        counts_.assign(Parallel::chunksOf(countOf(color), kGrain), 0);
+        std::uint32_t* const room = open.data() + before;
+        eachChunk(color, [&](std::size_t first, std::size_t count, std::size_t chunk) {
+            counts_[chunk] = Kernels::prepare(blocks_.data() + first, sources_.data() + first, count, rows,
+                                              context, room + W * first);
+        });
+        for (std::size_t chunk = 0; chunk < counts_.size(); ++chunk) {
+            const std::uint32_t* const from = room + W * (firstOf(color) + chunk * kGrain);
+            end = static_cast<std::size_t>(std::copy(from, from + counts_[chunk], open.data() + end) -
+                                           open.data());
+        }
+    }
+    open.resize(end);
+}
+
+template <int W>
+void ContactLanesOf<W>::findApproaching(const TickRows& rows, const StepContext& context, real fastest,
+                                        std::vector<std::uint32_t>& found) const
+{
+    found.resize(W * blocks_.size());
+    counts_.assign(Parallel::chunksOf(blocks_.size(), kGrain), 0);
+    parallel_.forEach(blocks_.size(), kGrain, [&](const Chunk& chunk) {
+        counts_[chunk.index] = Kernels::findApproaching(
+            blocks_.data() + chunk.begin, sources_.data() + chunk.begin, chunk.end - chunk.begin, rows,
+            context, fastest, found.data() + W * chunk.begin);
+    });
+    std::size_t end = 0;
+    for (std::size_t chunk = 0; chunk < counts_.size(); ++chunk) {
+        const std::uint32_t* const from = found.data() + W * chunk * kGrain;
+        end = static_cast<std::size_t>(std::copy(from, from + counts_[chunk], found.data() + end) -
+                                       found.data());
+    }
+    found.resize(end);
 }
 
 template <int W>
@@ -207,13 +291,29 @@ void ContactLanesOf<W>::unload(std::uint32_t contact, Contact& c)
     b.row.blockInverse.v[lane] = 0;
 }
 
+// Block by block: two threads must not write lanes of one block.
+template <int W>
+void ContactLanesOf<W>::loadMarked(const std::vector<std::uint8_t>& marks, std::uint8_t mark,
+                                   const std::vector<Contact>& contacts, const MotionTable& motions,
+                                   const TickRows& rows)
+{
+    parallel_.forEach(blocks_.size(), kGrain, [&](const Chunk& chunk) {
+        for (std::size_t slot = chunk.begin * W; slot < chunk.end * W; ++slot) {
+            const std::uint32_t contact = slots_[slot];
+            if (contact != kNone && marks[contact] == mark) load(contact, contacts[contact], motions, rows);
+        }
+    });
+}
+
 template <int W>
 void ContactLanesOf<W>::unloadAll(std::vector<Contact>& rows)
 {
-    for (std::size_t k = 0; k < blocks_.size(); ++k)
-        for (int lane = 0; lane < W; ++lane)
-            if ((blocks_[k].active >> lane & 1u) != 0)
-                unload(sources_[k].contact[lane], rows[sources_[k].contact[lane]]);
+    parallel_.forEach(blocks_.size(), kGrain, [&](const Chunk& chunk) {
+        for (std::size_t k = chunk.begin; k < chunk.end; ++k)
+            for (std::size_t lane = 0; lane < W; ++lane)
+                if ((blocks_[k].active >> lane & 1u) != 0)
+                    unload(slots_[k * W + lane], rows[slots_[k * W + lane]]);
+    });
 }
 
 }  // namespace
@@ -227,20 +327,20 @@ bool isPlain(const Contact& c)
     return true;
 }
 
-std::unique_ptr<ContactLanes> makeContactLanes(LaneWidth width)
+std::unique_ptr<ContactLanes> makeContactLanes(LaneWidth width, Parallel& parallel)
 {
     switch (width == LaneWidth::Best ? bestLanes() : width) {
     case LaneWidth::Bytes64:
-        return std::make_unique<ContactLanesOf<kLanes64>>();
+        return std::make_unique<ContactLanesOf<kLanes64>>(parallel);
     case LaneWidth::Bytes32:
-        return std::make_unique<ContactLanesOf<kLanes32>>();
+        return std::make_unique<ContactLanesOf<kLanes32>>(parallel);
     case LaneWidth::Scalar:
-        return std::make_unique<ContactLanesOf<1>>();
+        return std::make_unique<ContactLanesOf<1>>(parallel);
     case LaneWidth::Bytes16:
     case LaneWidth::Best:
         break;
     }
-    return std::make_unique<ContactLanesOf<kLanes16>>();
+    return std::make_unique<ContactLanesOf<kLanes16>>(parallel);
 }
 
 }  // namespace tamias2d::inline TAMIAS_PRECISION

@@ -6,6 +6,7 @@
 #include "model/motion.hpp"
 #include "model/step_context.hpp"
 #include "solver/tick_rows.hpp"
+#include "tasks/parallel.hpp"
 
 #include <tamias2d/base/lane_width.hpp>
 #include <tamias2d/model/clamps.hpp>
@@ -25,7 +26,7 @@ class ContactLanes {
 public:
     virtual ~ContactLanes() = default;
 
-    /// Gives each contact that may be plain in this step a lane. `islandOf` is by row.
+    /// Gives each contact that may be plain in this step a lane.
     virtual void build(const ContactTable& contacts, const MotionTable& motions, const Islands& islands,
                        const StepContext& context) = 0;
     virtual bool hasLane(std::uint32_t contact) const = 0;
@@ -33,6 +34,10 @@ public:
     /// Takes the contact into its lane.
     virtual void load(std::uint32_t contact, const Contact& row, const MotionTable& motions,
                       const TickRows& rows) = 0;
+    /// Takes all contacts that have a lane and this mark into it.
+    virtual void loadMarked(const std::vector<std::uint8_t>& marks, std::uint8_t mark,
+                            const std::vector<Contact>& contacts, const MotionTable& motions,
+                            const TickRows& rows) = 0;
     /// Gives impulses and sums back, and takes the contact out of its lane.
     virtual void unload(std::uint32_t contact, Contact& row) = 0;
     virtual void unloadAll(std::vector<Contact>& rows) = 0;
@@ -66,6 +71,6 @@ inline std::uint32_t islandOf(const Islands& islands, std::uint32_t rowA, std::u
 }
 
 /// For the width, which the machine must have.
-std::unique_ptr<ContactLanes> makeContactLanes(LaneWidth width);
+std::unique_ptr<ContactLanes> makeContactLanes(LaneWidth width, Parallel& parallel);
 
 }  // namespace tamias2d::inline TAMIAS_PRECISION

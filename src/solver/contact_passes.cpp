@@ -8,6 +8,8 @@
 namespace tamias2d::inline TAMIAS_PRECISION {
 namespace {
 
+constexpr std::size_t kGrain = 256;   // contacts
+
 void prepareLoose(Contact& c, const MotionTable& motions)
 {
     prepareContact(c, motions.rows[c.rowA], motions.rows[c.rowB]);
@@ -36,14 +38,18 @@ void ContactPasses::begin(ContactTable& contacts, const MotionTable& motions, co
     placeOf_.resize(contacts.rows.size());
     for (std::uint32_t k = 0; k < contacts.order.size(); ++k) placeOf_[contacts.order[k]] = k;
     loose_.clear();
-    isLoose_.assign(contacts.rows.size(), 0);
-    for (std::uint32_t i = 0; i < contacts.rows.size(); ++i) {
-        Contact& c = contacts.rows[i];
-        c.impacts = 0;
-        c.stepImpulse = {};
-        for (ContactPointRow& point : c.points) point.stepNormal = point.stepTangent = 0;
-        if (c.count > 0) addLoose(i);
-    }
+    isLoose_.resize(contacts.rows.size());
+    parallel_.forEach(contacts.rows.size(), kGrain, [&](const Chunk& chunk) {
+        for (std::size_t i = chunk.begin; i < chunk.end; ++i) {
+            Contact& c = contacts.rows[i];
+            c.impacts = 0;
+            c.stepImpulse = {};
+            for (ContactPointRow& point : c.points) point.stepNormal = point.stepTangent = 0;
+            isLoose_[i] = c.count > 0 ? 1 : 0;
+        }
+    });
+    for (std::uint32_t i = 0; i < contacts.rows.size(); ++i)
+        if (isLoose_[i] != 0) loose_.push_back(i);
     lanes_->build(contacts, motions, islands, context);
 }
 
@@ -66,24 +72,35 @@ void ContactPasses::take(std::uint32_t contact, ContactTable& contacts)
     addLoose(contact);
 }
 
+// Back into the lanes with what has become plain again.
+void ContactPasses::fillLanes(ContactTable& contacts, const MotionTable& motions, const TickRows& rows)
+{
+    constexpr std::uint8_t kPlain = 2;
+    list_.swap(loose_);
+    loose_.clear();
+    parallel_.forEach(list_.size(), kGrain, [&](const Chunk& chunk) {
+        for (std::size_t k = chunk.begin; k < chunk.end; ++k) {
+            const std::uint32_t i = list_[k];
+            Contact& c = contacts.rows[i];
+            c.impacts = 0;
+            c.fastestImpact = 0;
+            isLoose_[i] = c.count == 0 ? 0 : lanes_->hasLane(i) && isPlain(c) ? kPlain : 1;
+        }
+    });
+    const bool many = list_.size() > contacts.rows.size() / 4;
+    if (many) lanes_->loadMarked(isLoose_, kPlain, contacts.rows, motions, rows);
+    for (const std::uint32_t i : list_) {
+        if (isLoose_[i] == 1) loose_.push_back(i);
+        if (isLoose_[i] != kPlain) continue;
+        if (!many) lanes_->load(i, contacts.rows[i], motions, rows);
+        isLoose_[i] = 0;
+    }
+}
+
 void ContactPasses::prepare(ContactTable& contacts, const MotionTable& motions, TickRows& rows,
                             const StepContext& context)
 {
-    // Back into the lanes with what has become plain again.
-    list_.swap(loose_);
-    loose_.clear();
-    for (const std::uint32_t i : list_) {
-        Contact& c = contacts.rows[i];
-        c.impacts = 0;
-        c.fastestImpact = 0;
-        isLoose_[i] = 0;
-        if (c.count == 0) continue;
-        if (lanes_->hasLane(i) && isPlain(c))
-            lanes_->load(i, c, motions, rows);
-        else
-            addLoose(i);
-    }
-
+    fillLanes(contacts, motions, rows);
     rows.steady.assign(motions.rows.size(), {});
     list_.clear();
     lanes_->prepare(rows, context, list_);

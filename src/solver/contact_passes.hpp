@@ -15,7 +15,10 @@ void startLoose(Contact& contact, const MotionTable& motions, TickRows& rows);
 /// is kept.
 class ContactPasses {
 public:
-    explicit ContactPasses(LaneWidth lanes) : lanes_(makeContactLanes(lanes)) {}
+    ContactPasses(LaneWidth lanes, Parallel& parallel)
+        : parallel_(parallel), lanes_(makeContactLanes(lanes, parallel))
+    {
+    }
 
     /// Takes over the contacts of a step, colored and with manifolds; forgets the sums of the step before.
     void begin(ContactTable& contacts, const MotionTable& motions, const Islands& islands,
@@ -56,6 +59,7 @@ public:
                    ClampCounts& clamps);
 
 private:
+    Parallel& parallel_;
     std::unique_ptr<ContactLanes> lanes_;
     const Islands* islands_ = nullptr;  // of the step
     std::vector<std::uint32_t> loose_;  // contacts out of their lanes that have points, in solving order
@@ -67,6 +71,7 @@ private:
     std::vector<std::uint8_t> unrest_, unrestBefore_;  // by island
 
     void addLoose(std::uint32_t contact);
+    void fillLanes(ContactTable& contacts, const MotionTable& motions, const TickRows& rows);
     void sortLoose();
     template <class OfColor, class OfLoose>
     void visitColors(OfColor ofColor, OfLoose ofLoose);

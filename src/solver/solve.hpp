@@ -22,7 +22,7 @@ struct SolverScratch {
     TickRows rows;
     ContactPasses passes;
 
-    explicit SolverScratch(LaneWidth lanes) : passes(lanes) {}
+    SolverScratch(LaneWidth lanes, Parallel& parallel) : passes(lanes, parallel) {}
     ImpactScratch impacts;
 };
 

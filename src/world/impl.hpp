@@ -66,7 +66,7 @@ struct GraphScratch {
 struct World::Impl {
     explicit Impl(const WorldDef& def, std::uint32_t number)
         : id(number), settings(def), bodies(number), shapes(number), joints(number), lawIds(number),
-          parallel(def.threads, def.tasks, profile), solverScratch(def.lanes)
+          parallel(def.threads, def.tasks, profile), solverScratch(def.lanes, parallel)
     {
     }
 

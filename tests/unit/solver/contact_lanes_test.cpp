@@ -117,15 +117,19 @@ constexpr LaneWidth kWidths[] = {LaneWidth::Scalar, LaneWidth::Bytes16, LaneWidt
 TEST(ContactLanes, GiveTheBitsOfVisitingContactsOneByOne)
 {
     TRACES("ADR5", "ADR6", "ADR11");
+    Profile profile;
+    Parallel parallel(3, nullptr, profile);
     for (const LaneWidth width : kWidths) {
         if (!hasLanes(width)) continue;
         for (unsigned seed = 1; seed <= 60; ++seed) {
-            // With two bodies each color has one contact; with many the blocks are full.
-            Heap single = randomHeap(seed, 3 + seed * 2, 5 + seed * 4), wide = single;
+            // With two bodies each color has one contact; with many the blocks are full, and at last there
+            // are enough in a color to be shared out to threads.
+            const unsigned size = seed < 55 ? seed : 50 * seed;
+            Heap single = randomHeap(seed, 3 + size * 2, 5 + size * 4), wide = single;
             prepareOneByOne(single);
             solveOneByOne(single);
 
-            ContactPasses passes(width);
+            ContactPasses passes(width, parallel);
             passes.begin(wide.contacts, wide.motions, wide.islands, wide.context);
             passes.prepare(wide.contacts, wide.motions, wide.rows, wide.context);
             passes.solve(wide.contacts, wide.motions, wide.rows, wide.context);
@@ -154,6 +158,8 @@ TEST(ContactLanes, GiveTheBitsOfVisitingContactsOneByOne)
 TEST(ContactLanes, GiveTheSameBitsWithAnyWidth)
 {
     TRACES("ADR5", "ADR6");
+    Profile profile;
+    Parallel parallel(1, nullptr, profile);
     for (unsigned seed = 1; seed <= 30; ++seed) {
         const Heap start = randomHeap(seed, 3 + seed * 2, 5 + seed * 4);
         Heap first;
@@ -161,7 +167,7 @@ TEST(ContactLanes, GiveTheSameBitsWithAnyWidth)
             if (!hasLanes(width)) continue;
             Heap heap = start;
             ClampCounts clamps;
-            ContactPasses passes(width);
+            ContactPasses passes(width, parallel);
             passes.begin(heap.contacts, heap.motions, heap.islands, heap.context);
             for (int tick = 0; tick < 3; ++tick) {
                 passes.prepare(heap.contacts, heap.motions, heap.rows, heap.context);
