@@ -15,8 +15,13 @@ namespace tamias2d::inline TAMIAS_PRECISION {
 namespace {
 
 constexpr double kRigid = 1e-7, kBounded = 1e-2;  // gamma over the effective mass inverted
-constexpr int kMostSteps = 16;  // of Newton's method, for one set of impulses before
+constexpr int kMostSteps = 40;  // of Newton's method, for one set of impulses before
+constexpr int kMostTrials = 20;  // of the length of a step
+constexpr double kTurned = 1e-9;  // of a speed: what may be left where a force turns under its bound
 constexpr int kRepeats = 3;  // of the whole, each from the impulses of the last
+
+// Of each row, two bits.
+enum RowState : unsigned { kFree, kAtLow, kAtHigh, kTogether };
 
 // What a row answers: its impulse is `at - slope * (J v)`, held within its bounds.
 struct Answer {
@@ -56,10 +61,18 @@ private:
     void load(const std::vector<BodyMotion<real>>& velocities);
     double speed(std::size_t j, const ConstraintRow& row) const;
     bool answer();
+    void answerPair(std::size_t j, int second, const double (&wanted)[JointRows::kMost]);
     bool factor();
+    void addRows(std::size_t j);
+    void addPair(std::size_t j, int second);
     void residual(std::vector<double>& out);
+    void move(double part);
+    double descent();
+    void shorten();
     bool converge();
-    void addRow(const ConstraintRow& row, int nodeA, int nodeB, double weight);
+    void addRow(const Jacobian& jacobian, int nodeA, int nodeB, double weight);
+
+    bool turns_ = false;  // is there a force of two rows at its bound?
 };
 
 // A locked axis takes no part: its row of the Jacobian is left out, its mass any.
@@ -89,7 +102,7 @@ void DirectSolver::load(const std::vector<BodyMotion<real>>& velocities)
         group_.start[3 * n + 2] = static_cast<double>(velocities[n].spin);
     }
     group_.velocity = group_.start;
-    group_.active.assign(group_.joints.size(), 0xff);
+    group_.states.assign(group_.joints.size(), 0xffff);
     group_.factored.clear();
     group_.impulses.assign(group_.joints.size() * JointRows::kMost, 0);
     for (std::size_t j = 0; j < group_.joints.size(); ++j)
@@ -114,42 +127,57 @@ double DirectSolver::speed(std::size_t j, const ConstraintRow& row) const
     return part(a, rows.rowA, row.j.linearA, row.j.turnA) + part(b, rows.rowB, row.j.linearB, row.j.turnB);
 }
 
-// The impulses that the rows answer to the velocity at hand; true if each is as free or as bound as it was.
+// The impulses that the rows answer to the velocity at hand; true if each is as free as it was, or at the
+// same bound.
 bool DirectSolver::answer()
 {
     bool same = true;
+    turns_ = false;
     for (std::size_t j = 0; j < group_.joints.size(); ++j) {
         JointRows& rows = joint(j);
-        std::uint8_t free = 0;
+        double wanted[JointRows::kMost];
+        std::uint16_t states = 0;
         for (int i = 0; i < rows.count; ++i) {
             const ConstraintRow& row = rows.rows[i];
             const RowVisit& visit = rows.visits[i];
             const Answer a =
                 answerOf(row, visit, group_.before[j * JointRows::kMost + static_cast<std::size_t>(i)]);
-            const double wanted = a.at - a.slope * speed(j, row);
+            wanted[i] = a.at - a.slope * speed(j, row);
             const double low = static_cast<double>(visit.low), high = static_cast<double>(visit.high);
-            impulse(j, i) = clamp(wanted, low, high);
-            if (wanted > low && wanted < high) free |= static_cast<std::uint8_t>(1u << i);
+            impulse(j, i) = clamp(wanted[i], low, high);
+            const bool isHigh = wanted[i] >= high || !(low < high);
+            const unsigned state = isHigh ? kAtHigh : wanted[i] <= low ? kAtLow : kFree;
+            states = static_cast<std::uint16_t>(states | state << 2 * i);
             if (!row.pairBound) continue;
-            const double strength = length(DVec2{impulse(j, i - 1), impulse(j, i)});
-            if (!(strength > high)) continue;
-            impulse(j, i - 1) *= high / strength;
-            impulse(j, i) *= high / strength;
-            free &= static_cast<std::uint8_t>(~(3u << (i - 1)));
+            const bool bound = length(DVec2{wanted[i - 1], wanted[i]}) > high;
+            answerPair(j, i, wanted);
+            states = static_cast<std::uint16_t>((states & ~(15u << 2 * (i - 1))) |
+                                                (bound ? kTogether * 5u : kFree * 5u) << 2 * (i - 1));
+            turns_ = turns_ || bound;
         }
-        same = same && free == group_.active[j];
-        group_.active[j] = free;
+        same = same && states == group_.states[j];
+        group_.states[j] = states;
     }
     return same;
 }
 
-void DirectSolver::addRow(const ConstraintRow& row, int nodeA, int nodeB, double weight)
+// The two impulses of one force, whose strength is bounded.
+void DirectSolver::answerPair(std::size_t j, int second, const double (&wanted)[JointRows::kMost])
+{
+    const DVec2 both{wanted[second - 1], wanted[second]};
+    const double strength = length(both), high = static_cast<double>(joint(j).visits[second].high);
+    const double part = strength > high ? high / strength : 1;
+    impulse(j, second - 1) = part * both.x;
+    impulse(j, second) = part * both.y;
+}
+
+void DirectSolver::addRow(const Jacobian& jacobian, int nodeA, int nodeB, double weight)
 {
     static const Motion ground;
     double onA[3], onB[3];
     const Motion& a = nodeA < 0 ? ground : motions_[group_.rows[static_cast<std::size_t>(nodeA)]];
     const Motion& b = nodeB < 0 ? ground : motions_[group_.rows[static_cast<std::size_t>(nodeB)]];
-    fillJacobian(row.j, a, b, onA, onB);
+    fillJacobian(jacobian, a, b, onA, onB);
     const auto add = [weight](BlockLdl::Block& block, const double (&x)[3], const double (&y)[3]) {
         for (int r = 0; r < 3; ++r)
             for (int c = 0; c < 3; ++c) block.a[3 * r + c] += weight * x[r] * y[c];
@@ -166,23 +194,53 @@ void DirectSolver::addRow(const ConstraintRow& row, int nodeA, int nodeB, double
 
 bool DirectSolver::factor()
 {
-    if (group_.factored == group_.active) return true;
+    if (group_.factored == group_.states && !turns_) return true;
     group_.matrix.clear();
     for (std::size_t n = 0; n < group_.rows.size(); ++n) {
         double mass[3];
         fillMasses(motions_[group_.rows[n]], mass);
         for (int i = 0; i < 3; ++i) group_.matrix.diagonal(static_cast<int>(n)).a[4 * i] = mass[i];
     }
-    for (std::size_t j = 0; j < group_.joints.size(); ++j) {
-        const JointRows& rows = joint(j);
-        for (int i = 0; i < rows.count; ++i) {
-            if (!(group_.active[j] >> i & 1)) continue;
-            const double slope = answerOf(rows.rows[i], rows.visits[i], 0).slope;
-            if (slope > 0) addRow(rows.rows[i], group_.nodes[j].first, group_.nodes[j].second, slope);
-        }
-    }
-    group_.factored = group_.active;
+    for (std::size_t j = 0; j < group_.joints.size(); ++j) addRows(j);
+    group_.factored = group_.states;
     return group_.matrix.factor();
+}
+
+void DirectSolver::addRows(std::size_t j)
+{
+    const JointRows& rows = joint(j);
+    for (int i = 0; i < rows.count; ++i) {
+        const unsigned state = group_.states[j] >> 2 * i & 3u;
+        if (state == kTogether && rows.rows[i].pairBound) addPair(j, i);
+        if (state != kFree) continue;
+        const double slope = answerOf(rows.rows[i], rows.visits[i], 0).slope;
+        if (slope > 0) addRow(rows.rows[i].j, group_.nodes[j].first, group_.nodes[j].second, slope);
+    }
+}
+
+// At its bound a force gives way across its direction only: what it turns by.
+void DirectSolver::addPair(std::size_t j, int second)
+{
+    const JointRows& rows = joint(j);
+    const ConstraintRow &x = rows.rows[second - 1], &y = rows.rows[second];
+    const DVec2 force{impulse(j, second - 1), impulse(j, second)};
+    const double strength = length(force);
+    if (!(strength > 0)) return;
+    double wanted[2];
+    for (int i = 0; i < 2; ++i) {
+        const int k = second - 1 + i;
+        const std::size_t place = j * JointRows::kMost + static_cast<std::size_t>(k);
+        const Answer a = answerOf(rows.rows[k], rows.visits[k], group_.before[place]);
+        wanted[i] = a.at - a.slope * speed(j, rows.rows[k]);
+    }
+    const double part = strength / length(DVec2{wanted[0], wanted[1]});
+    const double slope = answerOf(y, rows.visits[second], 0).slope * part;
+    const auto alongX = static_cast<real>(-force.y / strength),
+               alongY = static_cast<real>(force.x / strength);
+    const Jacobian across{alongX * x.j.linearA + alongY * y.j.linearA,
+                          alongX * x.j.linearB + alongY * y.j.linearB,
+                          alongX * x.j.turnA + alongY * y.j.turnA, alongX * x.j.turnB + alongY * y.j.turnB};
+    if (slope > 0) addRow(across, group_.nodes[j].first, group_.nodes[j].second, slope);
 }
 
 // M (start - v) + sum of J^T (impulse - impulse at hand): zero where the velocity is that of the impulses.
@@ -210,6 +268,52 @@ void DirectSolver::residual(std::vector<double>& out)
     }
 }
 
+void DirectSolver::move(double part)
+{
+    for (std::size_t i = 0; i < group_.step.size(); ++i) group_.velocity[i] += part * group_.step[i];
+}
+
+// How fast what is minimized falls along the step, at the velocity at hand.
+double DirectSolver::descent()
+{
+    residual(group_.left);
+    double sum = 0;
+    for (std::size_t i = 0; i < group_.step.size(); ++i) sum += group_.left[i] * group_.step[i];
+    return sum;
+}
+
+// Where bounds were met the whole step may lead uphill: goes back to where along it the lowest place is. The
+// descent falls in straight pieces, so false position finds it; an end that stays twice counts half.
+void DirectSolver::shorten()
+{
+    double end = descent();
+    if (!(end < 0)) return;
+    move(-1);
+    answer();
+    double begin = descent(), low = 0, high = 1, at = 0;
+    const double enough = 1e-6 * begin;
+    int side = 0;
+    for (int trial = 0; trial < kMostTrials && begin > end; ++trial) {
+        const double next = low + (high - low) * begin / (begin - end);
+        move(next - at);
+        at = next;
+        answer();
+        const double now = descent();
+        if (absolute(now) <= enough) return;
+        if (now > 0) {
+            low = at;
+            begin = now;
+            if (side > 0) end /= 2;
+            side = 1;
+        } else {
+            high = at;
+            end = now;
+            if (side < 0) begin /= 2;
+            side = -1;
+        }
+    }
+}
+
 bool DirectSolver::converge()
 {
     answer();
@@ -217,8 +321,12 @@ bool DirectSolver::converge()
         if (!factor()) return false;
         residual(group_.step);
         group_.matrix.solve(group_.step);
-        for (std::size_t i = 0; i < group_.step.size(); ++i) group_.velocity[i] += group_.step[i];
-        if (answer()) return true;
+        move(1);
+        if (answer() && !turns_) return true;
+        double most = 0;
+        for (const double change : group_.step) most = maximum(most, absolute(change));
+        shorten();
+        if (turns_ && most <= kTurned) return true;
     }
     return false;
 }

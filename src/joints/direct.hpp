@@ -18,10 +18,10 @@ struct DirectGroup {
     BlockLdl matrix;
 
     // Of the solve at hand.
-    std::vector<double> start, velocity, step;   // three numbers a node
+    std::vector<double> start, velocity, step, left;   // three numbers a node
     std::vector<double> impulses, before;        // by joint and row
-    std::vector<std::uint8_t> active;            // by joint: which of its rows are within their bounds
-    std::vector<std::uint8_t> factored;          // likewise, of the factors at hand
+    std::vector<std::uint16_t> states;           // by joint: at which bounds its rows are
+    std::vector<std::uint16_t> factored;         // likewise, of the factors at hand
 
     int analyzedNodes = -1;
     std::vector<BlockLdl::Edge> analyzed;

@@ -6,18 +6,28 @@
 namespace tamias2d::inline TAMIAS_PRECISION {
 namespace {
 
-JointFrames framesFor(const DistanceJoint& k)
-{
-    return {k.anchorA, k.anchorB};
-}
 JointFrames framesFor(const TargetJoint& k)
 {
     return {{}, k.anchor, k.angle.value_or(0), &k.target, true};
 }
+JointFrames framesFor(const GrooveJoint& k)
+{
+    return {k.start, k.anchorB};
+}
+JointFrames framesFor(const FrictionJoint& k)
+{
+    return {{}, k.anchor};
+}
 template <class Kind>
 JointFrames framesFor(const Kind& k)
 {
-    return {k.anchorA, k.anchorB, k.referenceAngle};
+    JointFrames frames;
+    if constexpr (requires { k.anchorA; }) {
+        frames.anchorA = k.anchorA;
+        frames.anchorB = k.anchorB;
+    }
+    if constexpr (requires { k.referenceAngle; }) frames.reference = k.referenceAngle;
+    return frames;
 }
 
 }  // namespace
@@ -25,6 +35,12 @@ JointFrames framesFor(const Kind& k)
 JointFrames framesOf(const JointKind& kind)
 {
     return std::visit([](const auto& k) { return framesFor(k); }, kind);
+}
+
+Vec2 axisIn(Vec2 given, const JointPose& pose)
+{
+    const DVec2 axis = toDVec2(given);
+    return rotate(pose.rotationA, toVec2((1 / length(axis)) * axis));
 }
 
 void addPoint(const JointPose& pose, JointRows& out)

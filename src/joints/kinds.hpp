@@ -15,7 +15,10 @@ struct JointPose {
     Vec2 armA, armB;          // from the centers of mass to the anchors   [m]
     Vec2 between;             // from A's anchor to B's                    [m]
     Rot rotationA;
+    Vec2 hangA, hangB;        // from the wheels of a pulley to the anchors   [m]
     double angle = 0;         // of B against A, reference taken off, turns counted   [rad]
+    double angleA = 0;        // of a gear: of A itself, turns counted   [rad]
+    double notch = 0;         // of a ratchet: the tooth it may not go back from
     real mass = 0;            // of the two on a spring between them       [kg]
     real inertia = 0;         // likewise, about their centers             [kg*m^2]
 };
@@ -43,12 +46,38 @@ void measure(const DistanceJoint& kind, const JointPose& pose, JointRows& out);
 void measure(const PrismaticJoint& kind, const JointPose& pose, JointRows& out);
 void measure(const WeldJoint& kind, const JointPose& pose, JointRows& out);
 void measure(const TargetJoint& kind, const JointPose& pose, JointRows& out);
+void measure(const WheelJoint& kind, const JointPose& pose, JointRows& out);
+void measure(const GrooveJoint& kind, const JointPose& pose, JointRows& out);
+void measure(const RotaryJoint& kind, const JointPose& pose, JointRows& out);
+void measure(const RatchetJoint& kind, const JointPose& pose, JointRows& out);
+void measure(const GearJoint& kind, const JointPose& pose, JointRows& out);
+void measure(const RackJoint& kind, const JointPose& pose, JointRows& out);
+void measure(const PulleyJoint& kind, const JointPose& pose, JointRows& out);
+void measure(const MotorJoint& kind, const JointPose& pose, JointRows& out);
+void measure(const FrictionJoint& kind, const JointPose& pose, JointRows& out);
+inline void measure(const FilterJoint&, const JointPose&, JointRows&) {}
 
 JointCoordinate coordinateOf(const RevoluteJoint& kind, const JointPose& pose);
 JointCoordinate coordinateOf(const DistanceJoint& kind, const JointPose& pose);
 JointCoordinate coordinateOf(const PrismaticJoint& kind, const JointPose& pose);
 JointCoordinate coordinateOf(const WeldJoint& kind, const JointPose& pose);
 JointCoordinate coordinateOf(const TargetJoint& kind, const JointPose& pose);
+JointCoordinate coordinateOf(const WheelJoint& kind, const JointPose& pose);
+JointCoordinate coordinateOf(const GrooveJoint& kind, const JointPose& pose);
+JointCoordinate coordinateOf(const RotaryJoint& kind, const JointPose& pose);
+JointCoordinate coordinateOf(const RatchetJoint& kind, const JointPose& pose);
+JointCoordinate coordinateOf(const GearJoint& kind, const JointPose& pose);
+JointCoordinate coordinateOf(const RackJoint& kind, const JointPose& pose);
+JointCoordinate coordinateOf(const PulleyJoint& kind, const JointPose& pose);
+JointCoordinate coordinateOf(const MotorJoint& kind, const JointPose& pose);
+JointCoordinate coordinateOf(const FrictionJoint& kind, const JointPose& pose);
+inline JointCoordinate coordinateOf(const FilterJoint&, const JointPose&)
+{
+    return {};
+}
+
+/// The number of the last tooth passed at an angle [rad].
+double toothAt(const RatchetJoint& kind, double angle);
 
 inline void measureJoint(const JointKind& kind, const JointPose& pose, JointRows& out)
 {
@@ -59,6 +88,9 @@ inline void measureJoint(const JointKind& kind, const JointPose& pose, JointRows
 }
 
 // --- what kinds are made of
+
+/// A direction given in A's frame, of length 1, in the world.
+Vec2 axisIn(Vec2 given, const JointPose& pose);
 
 /// Moves the points of the two bodies apart along `n`.
 inline Jacobian pointJacobian(Vec2 n, const JointPose& pose)

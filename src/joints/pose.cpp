@@ -31,6 +31,38 @@ double countTurns(double angleA, double angleB, double near)
     return angle + kTwoPi * std::floor((near - angle) / kTwoPi + 0.5);
 }
 
+void beginCount(JointRow& joint, double angleA, double angleB)
+{
+    double near = framesOf(joint.def.kind).reference;
+    joint.angleA = 0;
+    if (const auto* gear = std::get_if<GearJoint>(&joint.def.kind)) {
+        joint.angleA = angleA;
+        near = (static_cast<double>(gear->ratio) - 1) * angleA + gear->phase;
+    }
+    joint.angle = countTurns(angleA, angleB, near);
+    joint.notch = 0;
+    if (const auto* ratchet = std::get_if<RatchetJoint>(&joint.def.kind))
+        joint.notch = toothAt(*ratchet, joint.angle - ratchet->referenceAngle);
+}
+
+void followCount(JointRow& joint, double angleA, double angleB)
+{
+    joint.angle = countTurns(angleA, angleB, joint.angle);
+    if (std::holds_alternative<GearJoint>(joint.def.kind)) joint.angleA = countTurns(0, angleA, joint.angleA);
+    if (const auto* ratchet = std::get_if<RatchetJoint>(&joint.def.kind))
+        joint.notch = maximum(joint.notch, toothAt(*ratchet, joint.angle - ratchet->referenceAngle));
+}
+
+bool countsAlike(const JointKind& one, const JointKind& other)
+{
+    if (const auto* gear = std::get_if<GearJoint>(&one)) {
+        const auto* second = std::get_if<GearJoint>(&other);
+        return second && gear->ratio == second->ratio;
+    }
+    if (std::holds_alternative<RatchetJoint>(one)) return one == other;
+    return true;
+}
+
 JointPose poseOf(const JointRow& joint, const BodyTable& bodies, const Motion& a, const Motion& b,
                  const BodyPlace& placeA, const BodyPlace& placeB, double turned)
 {
@@ -46,6 +78,13 @@ JointPose poseOf(const JointRow& joint, const BodyTable& bodies, const Motion& a
         pose.between = toVec2(placeB.center - placeA.center) + pose.armB - pose.armA;
     }
     pose.angle = frames.absolute ? countTurns(frames.reference, placeB.angle, 0) : turned - frames.reference;
+    if (std::holds_alternative<GearJoint>(joint.def.kind))
+        pose.angleA = countTurns(0, a.angle, joint.angleA) + (placeA.angle - a.angle);
+    if (const auto* pulley = std::get_if<PulleyJoint>(&joint.def.kind)) {
+        pose.hangA = toVec2(placeA.center - pulley->wheelA) + pose.armA;
+        pose.hangB = toVec2(placeB.center - pulley->wheelB) + pose.armB;
+    }
+    pose.notch = joint.notch;
     pose.mass = reducedOf(maximum(a.invMass.x, a.invMass.y), maximum(b.invMass.x, b.invMass.y));
     pose.inertia = reducedOf(a.invInertia, b.invInertia);
     return pose;

@@ -2,19 +2,10 @@
 #include "joints/kinds.hpp"
 
 namespace tamias2d::inline TAMIAS_PRECISION {
-namespace {
-
-Vec2 axisOf(const PrismaticJoint& kind, const JointPose& pose)
-{
-    const DVec2 given = toDVec2(kind.axis);
-    return rotate(pose.rotationA, toVec2((1 / length(given)) * given));
-}
-
-}  // namespace
 
 void measure(const PrismaticJoint& kind, const JointPose& pose, JointRows& out)
 {
-    const Vec2 axis = axisOf(kind, pose), across = perpendicular(axis);
+    const Vec2 axis = axisIn(kind.axis, pose), across = perpendicular(axis);
     out.add(RowKind::Rigid, JointSlot::kBlock, slideJacobian(across, pose), dot(across, pose.between), false);
     out.add(RowKind::Rigid, JointSlot::kBlock + 1, turnJacobian(), static_cast<real>(pose.angle), true);
 
@@ -27,7 +18,7 @@ void measure(const PrismaticJoint& kind, const JointPose& pose, JointRows& out)
 
 JointCoordinate coordinateOf(const PrismaticJoint& kind, const JointPose& pose)
 {
-    const Vec2 axis = axisOf(kind, pose);
+    const Vec2 axis = axisIn(kind.axis, pose);
     return {static_cast<double>(dot(axis, pose.between)), slideJacobian(axis, pose)};
 }
 

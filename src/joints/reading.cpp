@@ -41,7 +41,7 @@ double energyOfSprings(const JointRows& rows)
 
 bool actsNow(const JointRow& joint, const BodyTable& bodies)
 {
-    return joint.acts() && bodies.rows[joint.bodyA].enabled && bodies.rows[joint.bodyB].enabled;
+    return joint.ties() && bodies.rows[joint.bodyA].enabled && bodies.rows[joint.bodyB].enabled;
 }
 
 JointPose poseNow(const JointRow& joint, const BodyTable& bodies, const Motion& a, const Motion& b)
@@ -72,7 +72,7 @@ JointReading readJoint(const JointRow& joint, const BodyTable& bodies, double dt
         if (row.kind != RowKind::Limit) continue;
         const int side = row.slot - JointSlot::kLower;
         if (joint.held[side] || row.error <= kAtLimit)
-            reading.limit = side == 0 ? LimitState::AtLower : LimitState::AtUpper;
+            reading.limit = side == 0 ? LimitState::AtLower : LimitState::AtUpper;  // a rope's end is upper
     }
 
     if (!(dt > 0)) return reading;
@@ -80,7 +80,8 @@ JointReading readJoint(const JointRow& joint, const BodyTable& bodies, double dt
     const real* sums = joint.stepSums;
     reading.force = perTime * joint.stepImpulse;
     reading.torque = perTime * joint.stepTurn;
-    reading.limitForce = perTime * (sums[JointSlot::kLower] - sums[JointSlot::kUpper]);
+    reading.limitForce =
+        perTime * (sums[JointSlot::kLower] - sums[JointSlot::kUpper] - sums[JointSlot::kRope]);
     reading.motorForce = perTime * sums[JointSlot::kMotor];
     reading.motorPower = static_cast<real>(joint.stepWork / dt);
     reading.springForce = perTime * sums[JointSlot::kSpring];

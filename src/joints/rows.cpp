@@ -221,19 +221,51 @@ real solveOne(const ConstraintRow& row, RowVisit& visit, const Motion& a, const 
     return absolute(change) * row.mass;
 }
 
-// The two impulses of one force are bounded by its strength.
-void boundPair(JointRows& joint, int second, const Motion& a, const Motion& b, BodyMotion<real>& va,
-               BodyMotion<real>& vb)
+// What the row's impulse x must be so that factor * x + weight * J v + rest = 0 if it is not bounded.
+struct Demand {
+    real factor, weight, rest;
+};
+
+Demand demandOf(const ConstraintRow& row, const RowVisit& visit)
 {
-    const RowVisit &x = joint.visits[second - 1], &y = joint.visits[second];
-    const double strength = length(DVec2{static_cast<double>(x.impulse), static_cast<double>(y.impulse)});
-    if (!(strength > static_cast<double>(y.high))) return;
-    const real part = static_cast<real>(static_cast<double>(y.high) / strength);
-    for (int i = second - 1; i <= second; ++i) {
-        RowVisit& visit = joint.visits[i];
-        applyAlong(joint.rows[i].j, (part - 1) * visit.impulse, a, b, va, vb);
-        visit.impulse *= part;
+    if (row.kind == RowKind::Spring) return {1, visit.give, visit.push};
+    return {0, 1, visit.bias};
+}
+
+// Two rows of one force: asked together, and bounded by its strength.
+real solvePair(const JointRows& joint, RowVisit (&visits)[JointRows::kMost], int second, const Motion& a,
+               const Motion& b, BodyMotion<real>& va, BodyMotion<real>& vb)
+{
+    const ConstraintRow &x = joint.rows[second - 1], &y = joint.rows[second];
+    RowVisit &ofX = visits[second - 1], &ofY = visits[second];
+    const Demand p = demandOf(x, ofX), q = demandOf(y, ofY);
+    const real between = complianceAlong(x.j, y.j, a, b);
+    const real wrongX = p.factor * ofX.impulse + p.weight * speedAlong(x.j, va, vb) + p.rest;
+    const real wrongY = q.factor * ofY.impulse + q.weight * speedAlong(y.j, va, vb) + q.rest;
+    const real xx = p.factor + p.weight * x.mass, yy = q.factor + q.weight * y.mass;
+    const real xy = p.weight * between, yx = q.weight * between, determinant = xx * yy - xy * yx;
+    real newX = ofX.impulse, newY = ofY.impulse;
+    if (determinant > real(1e-6) * xx * yy) {
+        newX -= (yy * wrongX - xy * wrongY) / determinant;
+        newY -= (xx * wrongY - yx * wrongX) / determinant;
+    } else if (xx > 0 || yy > 0) {  // one of them is all that can be moved
+        if (xx >= yy)
+            newX -= wrongX / xx;
+        else
+            newY -= wrongY / yy;
     }
+    const double strength = length(DVec2{static_cast<double>(newX), static_cast<double>(newY)});
+    const double high = static_cast<double>(ofY.high);
+    if (strength > high) {
+        newX = static_cast<real>(high / strength * static_cast<double>(newX));
+        newY = static_cast<real>(high / strength * static_cast<double>(newY));
+    }
+    const real changeX = newX - ofX.impulse, changeY = newY - ofY.impulse;
+    applyAlong(x.j, changeX, a, b, va, vb);
+    applyAlong(y.j, changeY, a, b, va, vb);
+    ofX.impulse = newX;
+    ofY.impulse = newY;
+    return maximum(absolute(changeX) * x.mass, absolute(changeY) * y.mass);
 }
 
 // What is rigid comes last and together: it is to hold.
@@ -266,9 +298,10 @@ real visitRows(JointRows& joint, const Motion& a, const Motion& b, BodyMotion<re
     real most = 0;
     for (int i = joint.rigid; i < joint.count; ++i) {
         const ConstraintRow& row = joint.rows[i];
-        const real change = solveOne(row, joint.visits[i], a, b, va, vb);
+        const bool isPair = i + 1 < joint.count && joint.rows[i + 1].pairBound;
+        const real change = isPair ? solvePair(joint, joint.visits, ++i, a, b, va, vb)
+                                   : solveOne(row, joint.visits[i], a, b, va, vb);
         most = maximum(most, row.angular ? change * joint.reach : change);
-        if (row.pairBound) boundPair(joint, i, a, b, va, vb);
     }
     return maximum(most, solveRigid(joint, a, b, va, vb));
 }

@@ -18,7 +18,7 @@ void sortJoints(const JointTable& table, const MotionTable& motions, std::vector
         if (ground) continue;  // its joints are found at their other bodies
         for (const std::uint32_t slot : table.ofBody[m.body]) {
             const JointRow& joint = table.rows[slot];
-            if (!joint.acts()) continue;
+            if (!joint.ties()) continue;
             const std::uint32_t a = motions.rowOf[joint.bodyA], b = motions.rowOf[joint.bodyB];
             if (a == MotionTable::kNone || b == MotionTable::kNone) continue;
             if (motions.rows[a].moves() || motions.rows[b].moves()) order.push_back(slot);
@@ -98,7 +98,8 @@ void chooseStiff(JointTable& table, const std::vector<Motion>& motions, JointSys
         if (group != JointSystem::kNone) ++bodies[group];
     for (const JointRows& rows : system.joints) {
         JointRow& joint = table.rows[rows.joint];
-        ++members[rows.group];
+        members[rows.group] +=
+            std::holds_alternative<PulleyJoint>(joint.def.kind) ? 2 : 1;  // it has stops, too
         if (isHeavy(motions[rows.rowA], motions[rows.rowB])) joint.stiffSteps = kHold;
         if (joint.stiffSteps > 0) {
             --joint.stiffSteps;
@@ -212,7 +213,7 @@ void measureJoints(JointTable& table, const BodyTable& bodies, const MotionTable
     for (JointRows& rows : system.joints) {
         JointRow& joint = table.rows[rows.joint];
         const Motion &a = motions.rows[rows.rowA], &b = motions.rows[rows.rowB];
-        joint.angle = countTurns(a.angle, b.angle, joint.angle);
+        followCount(joint, a.angle, b.angle);
         const JointPose pose = poseOf(joint, bodies, a, b, placeOf(a), placeOf(b), joint.angle);
         measureJoint(joint.def.kind, pose, rows);
         prepareRows(rows, a, b);
@@ -237,11 +238,14 @@ void guardLightBodies(const JointTable& table, const BodyTable& bodies, JointSys
     constexpr real kStiff = 4;  // a body may turn by 1/sqrt(this) radians of its swing in a tick
     system.pull.assign(rows.size(), 0);
     for (const JointRows& joint : system.joints) {
-        Vec2 force;
-        for (int i = 0; i < joint.count; ++i)
-            force += table.rows[joint.joint].impulses[joint.rows[i].slot] * joint.rows[i].j.linearB;
-        system.pull[joint.rowA] += length(joint.armA) * length(force);
-        system.pull[joint.rowB] += length(joint.armB) * length(force);
+        Vec2 onA, onB;
+        for (int i = 0; i < joint.count; ++i) {
+            const real impulse = table.rows[joint.joint].impulses[joint.rows[i].slot];
+            onA += impulse * joint.rows[i].j.linearA;
+            onB += impulse * joint.rows[i].j.linearB;
+        }
+        system.pull[joint.rowA] += length(joint.armA) * length(onA);
+        system.pull[joint.rowB] += length(joint.armB) * length(onB);
     }
     bool changed = false;
     for (std::size_t i = 0; i < rows.size(); ++i) {
@@ -350,9 +354,10 @@ void keepJoints(JointTable& table, const JointSystem& system, const StepContext&
     for (const JointRows& joint : system.joints) {
         if (system.hit[joint.rowA] || system.hit[joint.rowB]) continue;
         JointRow& kept = table.rows[joint.joint];
-        const bool held[2] = {kept.held[0], kept.held[1]};
+        bool held[JointSlot::kLimits];
+        std::copy(std::begin(kept.held), std::end(kept.held), std::begin(held));
         std::fill(std::begin(kept.impulses), std::end(kept.impulses), real(0));
-        kept.held[0] = kept.held[1] = false;
+        std::fill(std::begin(kept.held), std::end(kept.held), false);
         for (int i = 0; i < joint.count; ++i) {
             const ConstraintRow& row = joint.rows[i];
             real& carried = kept.impulses[row.slot];

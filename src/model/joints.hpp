@@ -16,7 +16,9 @@ struct JointSlot {
     static constexpr int kMotor = 6;
     static constexpr int kLower = 7;
     static constexpr int kUpper = 8;
-    static constexpr int kCount = 9;
+    static constexpr int kRope = 9;    // a third limit
+    static constexpr int kCount = 10;
+    static constexpr int kLimits = 3;  // from kLower on
 };
 
 /// Everything the world remembers of a joint between steps.
@@ -26,21 +28,25 @@ struct JointRow {
     int stiffSteps = 0;                    // for so many steps on its group is solved at once
     double angle = 0;                      // of B against A, turns counted, reference taken off   [rad]
     bool broken = false;
-    bool held[2] = {};                     // by the lower, the upper limit, at the end of the last tick
+    double angleA = 0;  // of a gear: A's own, turns counted                        [rad]
+    double notch = 0;  // of a ratchet: the number of the last tooth passed
+    bool held[JointSlot::kLimits] = {};  // by each of its limits, at the end of the last tick
 
     // Carried from tick to tick and from step to step.
-    real impulses[JointSlot::kCount] = {}; // of the last tick   [N*s] or [N*m*s]
+    real impulses[JointSlot::kCount] = {};  // of the last tick   [N*s] or [N*m*s]
 
     // Summed over the step.
-    Vec2 stepImpulse;                      // on B                        [N*s]
-    real stepTurn = 0;                     // on B beside that impulse    [N*m*s]
-    real stepSums[JointSlot::kCount] = {}; // of each row                 [N*s] or [N*m*s]
-    double stepWork = 0;                   // of the motor                [J]
+    Vec2 stepImpulse;  // on B                        [N*s]
+    real stepTurn = 0;  // on B beside that impulse    [N*m*s]
+    real stepSums[JointSlot::kCount] = {};  // of each row                 [N*s] or [N*m*s]
+    double stepWork = 0;  // of the motor                [J]
 
     // Measured at the end of the step.
     JointReading reading;
 
     bool acts() const { return def.enabled; }
+    /// Does it act on how its bodies move?
+    bool ties() const { return acts() && !std::holds_alternative<FilterJoint>(def.kind); }
 };
 
 /// The joints of a world; a row is the slot of the joint's id.
@@ -50,7 +56,7 @@ struct JointTable {
     IdPool<JointId> ids;
     std::vector<JointRow> rows;
     std::vector<std::vector<std::uint32_t>>
-        ofBody;   // by body slot: slots of its joints, in order of creation
+        ofBody;  // by body slot: slots of its joints, in order of creation
 };
 
 /// Pairs of bodies that do not collide as a joint says so; sorted, lower slot first.

@@ -229,6 +229,99 @@ void fieldsOf(const TargetJoint*, Visit visit)
 }
 
 template <class Visit>
+void fieldsOf(const WheelJoint*, Visit visit)
+{
+    visit("anchorA", &WheelJoint::anchorA);
+    visit("anchorB", &WheelJoint::anchorB);
+    visit("axis", &WheelJoint::axis);
+    visit("limits", &WheelJoint::limits);
+    visit("motor", &WheelJoint::motor);
+    visit("spring", &WheelJoint::spring);
+}
+
+template <class Visit>
+void fieldsOf(const GrooveJoint*, Visit visit)
+{
+    visit("start", &GrooveJoint::start);
+    visit("end", &GrooveJoint::end);
+    visit("anchorB", &GrooveJoint::anchorB);
+}
+
+template <class Visit>
+void fieldsOf(const RotaryJoint*, Visit visit)
+{
+    visit("referenceAngle", &RotaryJoint::referenceAngle);
+    visit("limits", &RotaryJoint::limits);
+    visit("motor", &RotaryJoint::motor);
+    visit("spring", &RotaryJoint::spring);
+}
+
+template <class Visit>
+void fieldsOf(const RatchetJoint*, Visit visit)
+{
+    visit("referenceAngle", &RatchetJoint::referenceAngle);
+    visit("tooth", &RatchetJoint::tooth);
+}
+
+template <class Visit>
+void fieldsOf(const GearJoint*, Visit visit)
+{
+    visit("ratio", &GearJoint::ratio);
+    visit("phase", &GearJoint::phase);
+}
+
+template <class Visit>
+void fieldsOf(const RackJoint*, Visit visit)
+{
+    visit("anchorA", &RackJoint::anchorA);
+    visit("anchorB", &RackJoint::anchorB);
+    visit("axis", &RackJoint::axis);
+    visit("radius", &RackJoint::radius);
+    visit("offset", &RackJoint::offset);
+}
+
+template <class Visit>
+void fieldsOf(const PulleyJoint*, Visit visit)
+{
+    visit("anchorA", &PulleyJoint::anchorA);
+    visit("anchorB", &PulleyJoint::anchorB);
+    visit("wheelA", &PulleyJoint::wheelA);
+    visit("wheelB", &PulleyJoint::wheelB);
+    visit("ratio", &PulleyJoint::ratio);
+    visit("length", &PulleyJoint::length);
+    visit("taut", &PulleyJoint::taut);
+    visit("stopA", &PulleyJoint::stopA);
+    visit("stopB", &PulleyJoint::stopB);
+}
+
+template <class Visit>
+void fieldsOf(const MotorJoint*, Visit visit)
+{
+    visit("anchorA", &MotorJoint::anchorA);
+    visit("anchorB", &MotorJoint::anchorB);
+    visit("referenceAngle", &MotorJoint::referenceAngle);
+    visit("linear", &MotorJoint::linear);
+    visit("angular", &MotorJoint::angular);
+    visit("velocity", &MotorJoint::velocity);
+    visit("spin", &MotorJoint::spin);
+    visit("maxForce", &MotorJoint::maxForce);
+    visit("maxTorque", &MotorJoint::maxTorque);
+}
+
+template <class Visit>
+void fieldsOf(const FrictionJoint*, Visit visit)
+{
+    visit("anchor", &FrictionJoint::anchor);
+    visit("maxForce", &FrictionJoint::maxForce);
+    visit("maxTorque", &FrictionJoint::maxTorque);
+}
+
+template <class Visit>
+void fieldsOf(const FilterJoint*, Visit)
+{
+}
+
+template <class Visit>
 void fieldsOf(const JointBreaking*, Visit visit)
 {
     visit("force", &JointBreaking::force);

@@ -6,7 +6,9 @@ namespace tamias2d::inline TAMIAS_PRECISION::scene {
 namespace {
 
 // In the order of JointKind.
-constexpr const char* kKinds[] = {"revolute", "distance", "prismatic", "weld", "target"};
+constexpr const char* kKinds[] = {"revolute", "distance", "prismatic", "weld",     "target",
+                                  "wheel",    "groove",   "rotary",    "ratchet",  "gear",
+                                  "rack",     "pulley",   "motor",     "friction", "filter"};
 static_assert(std::size(kKinds) == std::variant_size_v<JointKind>);
 
 template <std::size_t I>

@@ -52,7 +52,7 @@ void bringInPartners(ImpactStage& stage, const SleepGroup& sleepers, const StepC
             const JointRow& joint = stage.joints.rows[slot];
             const std::uint32_t other = joint.bodyA == body ? joint.bodyB : joint.bodyA;
             const bool isMissing = stage.motions.rowOf[other] == MotionTable::kNone;
-            if (joint.acts() && isMissing && stage.world.bodies.rows[other].enabled)
+            if (joint.ties() && isMissing && stage.world.bodies.rows[other].enabled)
                 enter(stage, other, context);
         }
     }

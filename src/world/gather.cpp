@@ -127,7 +127,7 @@ void World::Impl::gatherPartners()
     for (std::uint32_t row = 0; row < motions.parts; ++row) {
         for (const std::uint32_t slot : joints.ofBody[motions.rows[row].body]) {
             const JointRow& joint = joints.rows[slot];
-            if (!joint.acts()) continue;
+            if (!joint.ties()) continue;
             const std::uint32_t other = joint.bodyA == motions.rows[row].body ? joint.bodyB : joint.bodyA;
             const BodyRow& b = bodies.rows[other];
             if (!b.enabled || motions.rowOf[other] != MotionTable::kNone) continue;

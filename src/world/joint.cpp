@@ -5,6 +5,10 @@
 #include "joints/reading.hpp"
 #include "world/impl.hpp"
 
+#include <tamias2d/math/scalar.hpp>
+
+#include <cmath>
+
 namespace tamias2d::inline TAMIAS_PRECISION {
 namespace {
 
@@ -12,6 +16,12 @@ JointRow& deadJointRow()
 {
     static thread_local JointRow row;
     return row = {};
+}
+
+// The part of an angle that is whole turns.
+double wholeTurns(double angle)
+{
+    return kTwoPi * std::floor(angle / kTwoPi + 0.5);
 }
 
 }  // namespace
@@ -37,7 +47,18 @@ World* Joint::alive() const
 JointDef Joint::definition() const
 {
     TAMIAS_JOINT_ROW(j);
-    return j.def;
+    JointDef def = j.def;
+    if (!w) return def;
+    // A twin begins to count turns anew: what those of this one have added goes into its phase.
+    const double angleA = w->impl_->row(def.bodyA).angle, angleB = w->impl_->row(def.bodyB).angle;
+    if (auto* gear = std::get_if<GearJoint>(&def.kind)) {
+        const double turns = countTurns(0, angleA, j.angleA) - angleA;
+        const double phase = gear->phase + static_cast<double>(gear->ratio) * turns;
+        if (turns != 0) gear->phase = phase - wholeTurns(phase);
+    }
+    if (auto* rack = std::get_if<RackJoint>(&def.kind))
+        rack->offset += static_cast<double>(rack->radius) * wholeTurns(countTurns(angleA, angleB, j.angle));
+    return def;
 }
 
 BodyId Joint::bodyA() const
@@ -88,7 +109,9 @@ void Joint::setKind(const JointKind& kind)
     if (!w || refuse(check(kind, w->impl_->settings.lengthUnit))) return;
     w->impl_->disturbJoint(id_.index);
     if (kind.index() != j.def.kind.index()) std::fill(std::begin(j.impulses), std::end(j.impulses), real(0));
+    const bool counts = countsAlike(kind, j.def.kind);
     j.def.kind = kind;
+    if (!counts) beginCount(j, w->impl_->row(j.def.bodyA).angle, w->impl_->row(j.def.bodyB).angle);
 }
 
 bool Joint::isEnabled() const
@@ -100,7 +123,14 @@ bool Joint::isEnabled() const
 void Joint::setEnabled(bool enabled)
 {
     TAMIAS_JOINT_ROW(j);
-    if (w && enabled != j.def.enabled) w->impl_->disturbJoint(id_.index);
+    if (w && enabled != j.def.enabled) {
+        w->impl_->disturbJoint(id_.index);
+        // Gears and ratchets have turned freely meanwhile.
+        const bool counts =
+            std::holds_alternative<GearJoint>(j.def.kind) || std::holds_alternative<RatchetJoint>(j.def.kind);
+        if (enabled && counts)
+            beginCount(j, w->impl_->row(j.def.bodyA).angle, w->impl_->row(j.def.bodyB).angle);
+    }
     if (enabled) j.broken = false;
     if (!enabled) std::fill(std::begin(j.impulses), std::end(j.impulses), real(0));
     j.def.enabled = enabled;
@@ -198,65 +228,5 @@ void Joint::destroy()
 }
 
 #undef TAMIAS_JOINT_ROW
-
-namespace {
-
-// Bodies, the anchors of one place on both, and the angle between them.
-template <class Kind>
-JointDef holdAt(const Body& a, const Body& b, Position anchor, Kind kind)
-{
-    kind.anchorA = toLocal(a.transform(), anchor);
-    kind.anchorB = toLocal(b.transform(), anchor);
-    kind.referenceAngle = b.angle() - a.angle();
-    JointDef def;
-    def.bodyA = a.id();
-    def.bodyB = b.id();
-    def.kind = kind;
-    return def;
-}
-
-}  // namespace
-
-JointDef revoluteAt(const Body& a, const Body& b, Position anchor)
-{
-    return holdAt(a, b, anchor, RevoluteJoint{});
-}
-
-JointDef weldAt(const Body& a, const Body& b, Position anchor)
-{
-    return holdAt(a, b, anchor, WeldJoint{});
-}
-
-JointDef slideAlong(const Body& a, const Body& b, Position anchor, Vec2 axis)
-{
-    PrismaticJoint kind;
-    kind.axis = inverseRotate(a.transform().rotation, axis);
-    return holdAt(a, b, anchor, kind);
-}
-
-JointDef rodBetween(const Body& a, const Body& b, Position onA, Position onB)
-{
-    DistanceJoint kind;
-    kind.anchorA = toLocal(a.transform(), onA);
-    kind.anchorB = toLocal(b.transform(), onB);
-    kind.length = static_cast<real>(length(onB - onA));
-    JointDef def;
-    def.bodyA = a.id();
-    def.bodyB = b.id();
-    def.kind = kind;
-    return def;
-}
-
-JointDef dragAt(const Body& hand, const Body& b, Position point)
-{
-    TargetJoint kind;
-    kind.anchor = toLocal(b.transform(), point);
-    kind.target = point;
-    JointDef def;
-    def.bodyA = hand.id();
-    def.bodyB = b.id();
-    def.kind = kind;
-    return def;
-}
 
 }  // namespace tamias2d::inline TAMIAS_PRECISION

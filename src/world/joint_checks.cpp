@@ -9,6 +9,8 @@ namespace {
 constexpr double kUnbounded = static_cast<double>(kUnlimited);
 constexpr double kMaxTurn = 1e6;        // [rad]
 constexpr double kMaxFrequency = 1e6;   // [Hz]
+constexpr double kLeastFactor = 1e-3, kMostFactor = 1e3;   // of ratios and teeth   [1] or [rad]
+constexpr double kMaxPhase = 1e9;       // what many turns add up to   [rad] or [m]
 
 // How the numbers of a kind are called and bounded.
 struct Units {
@@ -117,20 +119,35 @@ Complaint checkKind(const DistanceJoint& k, real lengthUnit)
     return checks.first();
 }
 
+void addAxis(Checks& checks, const std::string& field, Vec2 axis)
+{
+    const double size = length(toDVec2(axis));
+    checks.that(isFiniteValue(axis) && size >= 1e-6 && size <= kMaxSize, field, axis,
+                "must be finite, its length in [1e-6, 1e6]");
+}
+
 Complaint checkKind(const PrismaticJoint& k, real lengthUnit)
 {
     const Units units = sliding("PrismaticJoint.", lengthUnit);
-    const double axis = length(toDVec2(k.axis));
     Checks checks;
     addAnchor(checks, "PrismaticJoint.anchorA", k.anchorA, lengthUnit);
     addAnchor(checks, "PrismaticJoint.anchorB", k.anchorB, lengthUnit);
-    checks.that(isFiniteValue(k.axis) && axis >= 1e-6 && axis <= kMaxSize, "PrismaticJoint.axis", k.axis,
-                "must be finite, its length in [1e-6, 1e6]");
+    addAxis(checks, "PrismaticJoint.axis", k.axis);
     addAngle(checks, "PrismaticJoint.referenceAngle", k.referenceAngle);
     addLimits(checks, units, k.limits);
     addMotor(checks, units, k.motor);
     addSpring(checks, units, k.spring);
     return checks.first();
+}
+
+// A ratio or step: neither nothing nor beyond measure, either way.
+void addFactor(Checks& checks, const std::string& field, real value, double least, double most,
+               std::string_view unit)
+{
+    const double size = absolute(static_cast<double>(value));
+    checks.that(size >= least && size <= most, field, value,
+                "must be in [" + textOf(least) + ", " + textOf(most) + "]" + std::string(unit) +
+                    ", or the same below 0");
 }
 
 Complaint checkKind(const WeldJoint& k, real lengthUnit)
@@ -157,6 +174,126 @@ Complaint checkKind(const TargetJoint& k, real lengthUnit)
     addForce(checks, "TargetJoint.maxForce", k.maxForce, "N");
     addForce(checks, "TargetJoint.maxTorque", k.maxTorque, "N*m");
     return checks.first();
+}
+
+Complaint checkKind(const WheelJoint& k, real lengthUnit)
+{
+    const Units way = sliding("WheelJoint.", lengthUnit);
+    Checks checks;
+    addAnchor(checks, "WheelJoint.anchorA", k.anchorA, lengthUnit);
+    addAnchor(checks, "WheelJoint.anchorB", k.anchorB, lengthUnit);
+    addAxis(checks, "WheelJoint.axis", k.axis);
+    addLimits(checks, way, k.limits);
+    addMotor(checks, turning("WheelJoint."), k.motor);
+    addSpring(checks, way, k.spring);
+    return checks.first();
+}
+
+Complaint checkKind(const GrooveJoint& k, real lengthUnit)
+{
+    const double least = kMinSize * static_cast<double>(lengthUnit);
+    Checks checks;
+    addAnchor(checks, "GrooveJoint.start", k.start, lengthUnit);
+    addAnchor(checks, "GrooveJoint.end", k.end, lengthUnit);
+    addAnchor(checks, "GrooveJoint.anchorB", k.anchorB, lengthUnit);
+    checks.that(length(toDVec2(k.end) - toDVec2(k.start)) >= least, "GrooveJoint.end", k.end,
+                "must be at least " + textOf(least) + " m from start");
+    return checks.first();
+}
+
+Complaint checkKind(const RotaryJoint& k, real)
+{
+    const Units units = turning("RotaryJoint.");
+    Checks checks;
+    addAngle(checks, "RotaryJoint.referenceAngle", k.referenceAngle);
+    addLimits(checks, units, k.limits);
+    addMotor(checks, units, k.motor);
+    addSpring(checks, units, k.spring);
+    return checks.first();
+}
+
+Complaint checkKind(const RatchetJoint& k, real)
+{
+    Checks checks;
+    addAngle(checks, "RatchetJoint.referenceAngle", k.referenceAngle);
+    addFactor(checks, "RatchetJoint.tooth", k.tooth, kLeastFactor, kMostFactor, " rad");
+    return checks.first();
+}
+
+Complaint checkKind(const GearJoint& k, real)
+{
+    Checks checks;
+    addFactor(checks, "GearJoint.ratio", k.ratio, kLeastFactor, kMostFactor, "");
+    checks.range("GearJoint.phase", k.phase, -kMaxPhase, kMaxPhase, within(kMaxPhase, "rad"));
+    return checks.first();
+}
+
+Complaint checkKind(const RackJoint& k, real lengthUnit)
+{
+    const double unit = static_cast<double>(lengthUnit);
+    Checks checks;
+    addAnchor(checks, "RackJoint.anchorA", k.anchorA, lengthUnit);
+    addAnchor(checks, "RackJoint.anchorB", k.anchorB, lengthUnit);
+    addAxis(checks, "RackJoint.axis", k.axis);
+    addFactor(checks, "RackJoint.radius", k.radius, kMinSize * unit, kMaxSize * unit, " m");
+    checks.range("RackJoint.offset", k.offset, -kMaxPhase * unit, kMaxPhase * unit,
+                 within(kMaxPhase * unit, "m"));
+    return checks.first();
+}
+
+Complaint checkKind(const PulleyJoint& k, real lengthUnit)
+{
+    const double unit = static_cast<double>(lengthUnit);
+    Checks checks;
+    addAnchor(checks, "PulleyJoint.anchorA", k.anchorA, lengthUnit);
+    addAnchor(checks, "PulleyJoint.anchorB", k.anchorB, lengthUnit);
+    checks.add(checkPosition("PulleyJoint.wheelA", k.wheelA, lengthUnit))
+        .add(checkPosition("PulleyJoint.wheelB", k.wheelB, lengthUnit))
+        .range("PulleyJoint.ratio", k.ratio, kLeastFactor, kMostFactor, "must be in [1e-3, 1e3]")
+        .range("PulleyJoint.length", k.length, kMinSize * unit, kMaxSize * unit,
+               "must be in [" + textOf(kMinSize * unit) + ", " + textOf(kMaxSize * unit) + "] m");
+    for (const auto& [field, stop] :
+         {std::pair{"PulleyJoint.stopA", k.stopA}, {"PulleyJoint.stopB", k.stopB}})
+        checks.range(field, stop, kMinSize * unit, kMaxSize * unit,
+                     "must be in [" + textOf(kMinSize * unit) + ", " + textOf(kMaxSize * unit) + "] m");
+    checks.that(static_cast<double>(k.stopA) + static_cast<double>(k.ratio) * static_cast<double>(k.stopB) <=
+                    static_cast<double>(k.length),
+                "PulleyJoint.length", k.length, "must be at least stopA + ratio * stopB");
+    return checks.first();
+}
+
+Complaint checkKind(const MotorJoint& k, real lengthUnit)
+{
+    const Units way = sliding("MotorJoint.", lengthUnit), turn = turning("MotorJoint.");
+    Checks checks;
+    addAnchor(checks, "MotorJoint.anchorA", k.anchorA, lengthUnit);
+    addAnchor(checks, "MotorJoint.anchorB", k.anchorB, lengthUnit);
+    addAngle(checks, "MotorJoint.referenceAngle", k.referenceAngle);
+    if (k.linear) addSpring(checks, "MotorJoint.linear.", *k.linear, 0, "m");
+    if (k.angular) addSpring(checks, "MotorJoint.angular.", *k.angular, 0, "rad");
+    checks
+        .that(isFiniteValue(k.velocity) && length(toDVec2(k.velocity)) <= way.mostSpeed,
+              "MotorJoint.velocity", k.velocity,
+              "must be finite, its length at most " + textOf(way.mostSpeed) + " m/s")
+        .range("MotorJoint.spin", k.spin, -turn.mostSpeed, turn.mostSpeed,
+               within(turn.mostSpeed, turn.speed));
+    addForce(checks, "MotorJoint.maxForce", k.maxForce, "N");
+    addForce(checks, "MotorJoint.maxTorque", k.maxTorque, "N*m");
+    return checks.first();
+}
+
+Complaint checkKind(const FrictionJoint& k, real lengthUnit)
+{
+    Checks checks;
+    addAnchor(checks, "FrictionJoint.anchor", k.anchor, lengthUnit);
+    addForce(checks, "FrictionJoint.maxForce", k.maxForce, "N");
+    addForce(checks, "FrictionJoint.maxTorque", k.maxTorque, "N*m");
+    return checks.first();
+}
+
+Complaint checkKind(const FilterJoint&, real)
+{
+    return std::nullopt;
 }
 
 }  // namespace

@@ -16,8 +16,7 @@ JointId World::Impl::createJoint(const JointDef& def)
     j.def = def;
     j.bodyA = def.bodyA.index;
     j.bodyB = def.bodyB.index;
-    j.angle =
-        countTurns(bodies.rows[j.bodyA].angle, bodies.rows[j.bodyB].angle, framesOf(def.kind).reference);
+    beginCount(j, bodies.rows[j.bodyA].angle, bodies.rows[j.bodyB].angle);
     joints.ofBody[j.bodyA].push_back(joint.index);
     joints.ofBody[j.bodyB].push_back(joint.index);
     disturbJoint(joint.index);

@@ -36,6 +36,9 @@ bool hasRunningMotor(const JointKind& kind)
         [](const auto& k) {
             if constexpr (HasMotor<decltype(k)>)
                 return k.motor && k.motor->speed != 0;
+            else if constexpr (std::is_same_v<decltype(k), const MotorJoint&>)
+                return (!k.linear && k.velocity != Vec2{} && k.maxForce > 0) ||
+                       (!k.angular && k.spin != 0 && k.maxTorque > 0);
             else
                 return false;
         },
@@ -230,7 +233,7 @@ bool World::Impl::sleepNow(std::uint32_t slot)
         if (takePart && isBond(c) && bodies.rows[a].canMove() && bodies.rows[b].canMove()) sets.join(a, b);
     }
     for (const JointRow& joint : joints.rows)
-        if (joint.acts() && bodies.rows[joint.bodyA].canMove() && bodies.rows[joint.bodyB].canMove())
+        if (joint.ties() && bodies.rows[joint.bodyA].canMove() && bodies.rows[joint.bodyB].canMove())
             sets.join(joint.bodyA, joint.bodyB);
     const std::uint32_t leader = sets.leader(slot);
     std::vector<std::uint32_t> members;

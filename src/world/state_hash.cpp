@@ -183,17 +183,83 @@ void add(Hasher& hash, const TargetJoint& k)
     for (const real value : {k.frequency, k.dampingRatio, k.maxForce, k.maxTorque}) hash.add(value);
 }
 
+void add(Hasher& hash, const WheelJoint& k)
+{
+    add(hash, k.axis);
+    add(hash, k.limits);
+    add(hash, k.motor);
+    add(hash, k.spring);
+}
+
+void add(Hasher& hash, const GrooveJoint& k)
+{
+    add(hash, k.end);
+}
+
+void add(Hasher& hash, const RotaryJoint& k)
+{
+    hash.add(k.referenceAngle);
+    add(hash, k.limits);
+    add(hash, k.motor);
+    add(hash, k.spring);
+}
+
+void add(Hasher& hash, const RatchetJoint& k)
+{
+    hash.add(k.referenceAngle);
+    hash.add(k.tooth);
+}
+
+void add(Hasher& hash, const GearJoint& k)
+{
+    hash.add(k.ratio);
+    hash.add(k.phase);
+}
+
+void add(Hasher& hash, const RackJoint& k)
+{
+    add(hash, k.axis);
+    hash.add(k.radius);
+    hash.add(k.offset);
+}
+
+void add(Hasher& hash, const PulleyJoint& k)
+{
+    add(hash, k.wheelA);
+    add(hash, k.wheelB);
+    for (const real value : {k.ratio, k.length, k.stopA, k.stopB}) hash.add(value);
+    addFlags(hash, k.taut);
+}
+
+void add(Hasher& hash, const MotorJoint& k)
+{
+    hash.add(k.referenceAngle);
+    add(hash, k.linear);
+    add(hash, k.angular);
+    add(hash, k.velocity);
+    for (const real value : {k.spin, k.maxForce, k.maxTorque}) hash.add(value);
+}
+
+void add(Hasher& hash, const FrictionJoint& k)
+{
+    hash.add(k.maxForce);
+    hash.add(k.maxTorque);
+}
+
+void add(Hasher&, const FilterJoint&) {}
+
 void add(Hasher& hash, const JointRow& j)
 {
     hash.add((std::uint64_t{j.bodyA} << 32) | j.bodyB);
     const JointFrames frames = framesOf(j.def.kind);
-    addFlags(hash, j.def.kind.index(), j.def.collideConnected, j.def.enabled, j.broken, j.held[0], j.held[1]);
+    addFlags(hash, j.def.kind.index(), j.def.collideConnected, j.def.enabled, j.broken, j.held[0], j.held[1],
+             j.held[2]);
     add(hash, frames.anchorA);
     add(hash, frames.anchorB);
     std::visit([&](const auto& kind) { add(hash, kind); }, j.def.kind);
     for (const real value : {j.def.breaking.force, j.def.breaking.torque, j.def.breaking.error})
         hash.add(value);
-    hash.add(j.angle);
+    for (const double value : {j.angle, j.angleA, j.notch}) hash.add(value);
     for (const real impulse : j.impulses) hash.add(impulse);
 }
 

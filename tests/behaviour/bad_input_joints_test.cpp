@@ -124,6 +124,132 @@ TEST(BadInput, EveryFieldOfAWeldJointIsChecked)
         "WeldJoint");
 }
 
+TEST(BadInput, EveryFieldOfAWheelJointIsChecked)
+{
+    TRACES("R4", "LC3");
+    using K = WheelJoint;
+    expectEveryFieldChecked<K>(
+        withParts<K>({{"axis", notFiniteAnd({0, 1e-7, 1.1e6}), [](K& k, double x) { k.axis = vec(x, 0); }},
+                      {"axis", notFiniteAnd({0}), [](K& k, double x) { k.axis = vec(0, x); }}}),
+        "WheelJoint");
+}
+
+TEST(BadInput, EveryFieldOfAGrooveJointIsChecked)
+{
+    TRACES("R4", "LC3");
+    using K = GrooveJoint;
+    expectEveryFieldChecked<K>({{"start", kNoAnchor, [](K& k, double x) { k.start = vec(x, 0); }},
+                                {"start", kNoAnchor, [](K& k, double x) { k.start = vec(0, x); }},
+                                {"end", kNoAnchor, [](K& k, double x) { k.end = vec(x, 0); }},
+                                {"end", kNoAnchor, [](K& k, double x) { k.end = vec(0, x); }},
+                                {"end", {-1}, [](K& k, double x) { k.end = vec(x, 0); }},  // at start
+                                {"anchorB", kNoAnchor, [](K& k, double x) { k.anchorB = vec(x, 0); }},
+                                {"anchorB", kNoAnchor, [](K& k, double x) { k.anchorB = vec(0, x); }}},
+                               "GrooveJoint");
+}
+
+TEST(BadInput, EveryFieldOfARotaryJointIsChecked)
+{
+    TRACES("R4", "LC3");
+    using K = RotaryJoint;
+    expectEveryFieldChecked<K>(
+        {{"referenceAngle", kNoAngle, [](K& k, double x) { k.referenceAngle = x; }},
+         {"limits.lower", kNoAnchor, [](K& k, double x) { k.limits = JointLimits{toReal(x), toReal(x)}; }},
+         {"limits.upper", kNoAnchor, [](K& k, double x) { k.limits = JointLimits{0, toReal(x)}; }},
+         {"limits.lower", {1.5}, [](K& k, double x) { k.limits = JointLimits{toReal(x), 1}; }},
+         {"motor.speed", kNoSpeed, [](K& k, double x) { k.motor = JointMotor{toReal(x), 1}; }},
+         {"motor.maxForce", kNoForce, [](K& k, double x) { k.motor = JointMotor{1, toReal(x)}; }},
+         {"spring.frequency", kNoFrequency, [](K& k, double x) { k.spring = JointSpring{toReal(x), 0, 1}; }},
+         {"spring.dampingRatio", kNoFrequency,
+          [](K& k, double x) { k.spring = JointSpring{1, toReal(x), 1}; }},
+         {"spring.rest", kNoAnchor, [](K& k, double x) { k.spring = JointSpring{1, 0, toReal(x)}; }}},
+        "RotaryJoint");
+}
+
+TEST(BadInput, EveryFieldOfRatchetsAndGearsIsChecked)
+{
+    TRACES("R4", "LC3");
+    const Values noFactor = notFiniteAnd({0, 0.9e-3, -0.9e-3, 1.1e3, -1.1e3});
+    const Values noPhase = notFiniteAnd({1.1e9, -1.1e9});
+    expectEveryFieldChecked<RatchetJoint>(
+        {{"referenceAngle", kNoAngle, [](RatchetJoint& k, double x) { k.referenceAngle = x; }},
+         {"tooth", noFactor, [](RatchetJoint& k, double x) { k.tooth = toReal(x); }}},
+        "RatchetJoint");
+    expectEveryFieldChecked<GearJoint>(
+        {{"ratio", noFactor, [](GearJoint& k, double x) { k.ratio = toReal(x); }},
+         {"phase", noPhase, [](GearJoint& k, double x) { k.phase = x; }}},
+        "GearJoint");
+}
+
+TEST(BadInput, EveryFieldOfARackJointIsChecked)
+{
+    TRACES("R4", "LC3");
+    using K = RackJoint;
+    expectEveryFieldChecked<K>(
+        {{"anchorA", kNoAnchor, [](K& k, double x) { k.anchorA = vec(x, 0); }},
+         {"anchorB", kNoAnchor, [](K& k, double x) { k.anchorB = vec(0, x); }},
+         {"axis", notFiniteAnd({0, 1e-7, 1.1e6}), [](K& k, double x) { k.axis = vec(x, 0); }},
+         {"radius", notFiniteAnd({0, 0.9e-6, -0.9e-6, 1.1e6}), [](K& k, double x) { k.radius = toReal(x); }},
+         {"offset", notFiniteAnd({1.1e9, -1.1e9}), [](K& k, double x) { k.offset = x; }}},
+        "RackJoint");
+}
+
+TEST(BadInput, EveryFieldOfAPulleyJointIsChecked)
+{
+    TRACES("R4", "LC3", "DC-L", "DC-p");
+    using K = PulleyJoint;
+    expectEveryFieldChecked<K>(
+        {{"anchorA", kNoAnchor, [](K& k, double x) { k.anchorA = vec(x, 0); }},
+         {"anchorB", kNoAnchor, [](K& k, double x) { k.anchorB = vec(0, x); }},
+         {"wheelA", kNoPlace, [](K& k, double x) { k.wheelA.x = x; }},
+         {"wheelA", kNoPlace, [](K& k, double x) { k.wheelA.y = x; }},
+         {"wheelB", kNoPlace, [](K& k, double x) { k.wheelB.x = x; }},
+         {"wheelB", kNoPlace, [](K& k, double x) { k.wheelB.y = x; }},
+         {"ratio", notFiniteAnd({-1, 0, 0.9e-3, 1.1e3}), [](K& k, double x) { k.ratio = toReal(x); }},
+         {"length", kNoSize, [](K& k, double x) { k.length = toReal(x); }},
+         {"stopA", kNoSize, [](K& k, double x) { k.stopA = toReal(x); }},
+         {"stopB", kNoSize, [](K& k, double x) { k.stopB = toReal(x); }},
+         {"length", {1.96}, [](K& k, double x) { k.stopA = toReal(x); }}},  // more rope than there is
+        "PulleyJoint");
+}
+
+TEST(BadInput, EveryFieldOfAMotorJointIsChecked)
+{
+    TRACES("R4", "LC3");
+    using K = MotorJoint;
+    expectEveryFieldChecked<K>(
+        {{"anchorA", kNoAnchor, [](K& k, double x) { k.anchorA = vec(x, 0); }},
+         {"anchorB", kNoAnchor, [](K& k, double x) { k.anchorB = vec(0, x); }},
+         {"referenceAngle", kNoAngle, [](K& k, double x) { k.referenceAngle = x; }},
+         {"linear.frequency", kNoFrequency, [](K& k, double x) { k.linear = JointSpring{toReal(x), 0, 0}; }},
+         {"linear.dampingRatio", kNoFrequency,
+          [](K& k, double x) { k.linear = JointSpring{1, toReal(x), 0}; }},
+         {"linear.rest", notFiniteAnd({1}), [](K& k, double x) { k.linear = JointSpring{1, 0, toReal(x)}; }},
+         {"angular.frequency", kNoFrequency,
+          [](K& k, double x) { k.angular = JointSpring{toReal(x), 0, 0}; }},
+         {"angular.dampingRatio", kNoFrequency,
+          [](K& k, double x) { k.angular = JointSpring{1, toReal(x), 0}; }},
+         {"angular.rest", notFiniteAnd({1}),
+          [](K& k, double x) { k.angular = JointSpring{1, 0, toReal(x)}; }},
+         {"velocity", kNoSpeed, [](K& k, double x) { k.velocity = vec(x, 0); }},
+         {"velocity", kNoSpeed, [](K& k, double x) { k.velocity = vec(0, x); }},
+         {"spin", kNoSpeed, [](K& k, double x) { k.spin = toReal(x); }},
+         {"maxForce", kNoForce, [](K& k, double x) { k.maxForce = toReal(x); }},
+         {"maxTorque", kNoForce, [](K& k, double x) { k.maxTorque = toReal(x); }}},
+        "MotorJoint");
+}
+
+TEST(BadInput, EveryFieldOfAFrictionJointIsChecked)
+{
+    TRACES("R4", "LC3");
+    using K = FrictionJoint;
+    expectEveryFieldChecked<K>({{"anchor", kNoAnchor, [](K& k, double x) { k.anchor = vec(x, 0); }},
+                                {"anchor", kNoAnchor, [](K& k, double x) { k.anchor = vec(0, x); }},
+                                {"maxForce", kNoForce, [](K& k, double x) { k.maxForce = toReal(x); }},
+                                {"maxTorque", kNoForce, [](K& k, double x) { k.maxTorque = toReal(x); }}},
+                               "FrictionJoint");
+}
+
 TEST(BadInput, EveryFieldOfATargetJointIsChecked)
 {
     TRACES("R4", "LC3", "DC-p");

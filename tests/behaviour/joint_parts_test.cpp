@@ -90,6 +90,30 @@ TEST_P(SpringOf, ASlideSwingsAsItsFrequencySays)
     expectSwing(pair.world, [&] { return joint.reading().position - 2; });
 }
 
+TEST_P(SpringOf, AWheelSwingsAsItsFrequencySays)
+{
+    TRACES("LC3", "IM1");
+    Pair pair({0, 3});
+    Joint joint = pair.join(WheelJoint{.axis = vec(0, 0.5), .spring = spring(2)});
+    expectSwing(pair.world, [&] { return joint.reading().position - 2; });
+}
+
+TEST_P(SpringOf, ARotarySpringSwingsAsItsFrequencySays)
+{
+    TRACES("LC3", "IM2");
+    Pair pair({5, 0});
+    Joint joint = pair.join(RotaryJoint{.spring = spring(-1)});
+    expectSwing(pair.world, [&] { return joint.reading().position + 1; });
+}
+
+TEST_P(SpringOf, AMotorWithSpringsSwingsAsItsFrequencySays)
+{
+    TRACES("LC3", "IM1");
+    Pair pair({1, 0});
+    pair.join(MotorJoint{.linear = spring(0), .angular = spring(0)});
+    expectSwing(pair.world, [&] { return centerOf(pair.mass).x; });
+}
+
 TEST_P(SpringOf, ASoftWeldSwingsAsItsFrequencySays)
 {
     TRACES("LC3", "IM1");

@@ -82,6 +82,7 @@ std::unique_ptr<World> strangeWorld()
     const JointLimits limits{toReal(-0.3), toReal(1.7)};
     const JointMotor motor{toReal(0.1), toReal(22.5)};
     const JointSpring spring{toReal(3.3), toReal(0.1), toReal(0.7)};
+    const JointSpring spring0{toReal(1.5), toReal(0.2), 0};
     joint.kind = RevoluteJoint{vec(0.1, 0.2), vec(-0.3, 0.4), 1.0 / 3, limits, motor, spring};
     joint.collideConnected = true;
     joint.enabled = false;
@@ -96,7 +97,25 @@ std::unique_ptr<World> strangeWorld()
           JointKind(PrismaticJoint{vec(1, 1), vec(2, 2), vec(0.6, 0.8), -0.1, limits, motor, spring}),
           JointKind(WeldJoint{vec(1, 0), vec(0, 1), 0.1, JointSpring{2, toReal(0.3), 0}, JointSpring{}}),
           JointKind(TargetJoint{vec(0.1, 0), {1.0 / 3, 2}, 0.7, toReal(3.5), toReal(0.9), 100, 50}),
-          JointKind(TargetJoint{})}) {
+          JointKind(TargetJoint{}),
+          JointKind(WheelJoint{vec(1, 2), vec(3, 4), vec(0.6, -0.8), limits, motor, std::nullopt}),
+          JointKind(WheelJoint{{}, {}, vec(0, 2), {}, {}, spring}),
+          JointKind(GrooveJoint{vec(0.1, 0.2), vec(3, 0.1), vec(-1, 1)}),
+          JointKind(RotaryJoint{1.0 / 3, limits, motor, spring}), JointKind(RatchetJoint{-0.1, toReal(-0.3)}),
+          JointKind(GearJoint{toReal(-2.3), 1.0 / 3}),
+          JointKind(RackJoint{vec(1, 2), vec(3, 4), vec(0.6, 0.8), toReal(-0.7), 1.0 / 3}),
+          JointKind(PulleyJoint{vec(0.1, 0),
+                                vec(0, 0.2),
+                                {-1.1, 5},
+                                {1.0 / 3, 6},
+                                toReal(2.5),
+                                toReal(7.7),
+                                true,
+                                toReal(0.1),
+                                toReal(0.2)}),
+          JointKind(MotorJoint{vec(1, 0), vec(0, 1), 0.1, spring0, JointSpring{}, vec(0.1, 0.2), toReal(0.3),
+                               9, toReal(8.1)}),
+          JointKind(FrictionJoint{vec(0.1, 0.2), toReal(3.3), toReal(4.4)}), JointKind(FilterJoint{})}) {
         joint = {};
         joint.bodyA = first.id();
         joint.bodyB = world->bodies()[2];

@@ -37,7 +37,10 @@ Json defaults()
     for (const JointKind& kind :
          {JointKind(RevoluteJoint{.limits = JointLimits{}, .motor = JointMotor{}, .spring = JointSpring{}}),
           JointKind(DistanceJoint{}), JointKind(PrismaticJoint{}), JointKind(WeldJoint{}),
-          JointKind(TargetJoint{})}) {
+          JointKind(TargetJoint{}), JointKind(WheelJoint{}), JointKind(GrooveJoint{}),
+          JointKind(RotaryJoint{}), JointKind(RatchetJoint{}), JointKind(GearJoint{}), JointKind(RackJoint{}),
+          JointKind(PulleyJoint{}), JointKind(MotorJoint{}), JointKind(FrictionJoint{}),
+          JointKind(FilterJoint{})}) {
         joint.kind = kind;
         world.createJoint(joint);
     }
@@ -89,14 +92,18 @@ TEST(SceneSchema, HasTheLibrarysKeysAndDefaults)
     expectDefaults(shape["filter"], properties("filter"), {});
     expectDefaults(shape["circle"], properties("circle"), {});
 
-    const char* const kinds[] = {"revolute", "distance", "prismatic", "weld", "target"};
+    const char* const kinds[] = {"revolute", "distance", "prismatic", "weld",     "target",
+                                 "wheel",    "groove",   "rotary",    "ratchet",  "gear",
+                                 "rack",     "pulley",   "motor",     "friction", "filter"};
     for (std::size_t i = 0; i < std::size(kinds); ++i) {
         std::set<std::string> besides(std::begin(kinds), std::end(kinds));
         besides.insert({"bodyA", "bodyB"});
         Json joint = all["joints"][i];
         joint.erase("bodyA");
         joint.erase("bodyB");
-        expectDefaults(joint[kinds[i]], properties(kinds[i]), {});
+        const std::string kind = kinds[i];
+        const bool isNameOfAPart = kind == "motor" || kind == "filter";
+        expectDefaults(joint[kind], properties((isNameOfAPart ? kind + "Joint" : kind).c_str()), {});
         expectDefaults(joint, properties("joint"), besides);
     }
     const Json& parts = all["joints"][0]["revolute"];
@@ -145,6 +152,15 @@ TEST(SceneSchema, KnowsEveryFieldOfEveryDefinition)
     [[maybe_unused]] const auto& [c1, c2, c3, c4, c5, c6, c7] = PrismaticJoint{};
     [[maybe_unused]] const auto& [w1, w2, w3, w4, w5] = WeldJoint{};
     [[maybe_unused]] const auto& [g1, g2, g3, g4, g5, g6, g7] = TargetJoint{};
+    [[maybe_unused]] const auto& [ee1, ee2, ee3, ee4, ee5, ee6] = WheelJoint{};
+    [[maybe_unused]] const auto& [ff1, ff2, ff3] = GrooveJoint{};
+    [[maybe_unused]] const auto& [gg1, gg2, gg3, gg4] = RotaryJoint{};
+    [[maybe_unused]] const auto& [hh1, hh2] = RatchetJoint{};
+    [[maybe_unused]] const auto& [ii1, ii2] = GearJoint{};
+    [[maybe_unused]] const auto& [nn1, nn2, nn3, nn4, nn5] = RackJoint{};
+    [[maybe_unused]] const auto& [oo1, oo2, oo3, oo4, oo5, oo6, oo7, oo8, oo9] = PulleyJoint{};
+    [[maybe_unused]] const auto& [qq1, qq2, qq3, qq4, qq5, qq6, qq7, qq8, qq9] = MotorJoint{};
+    [[maybe_unused]] const auto& [uu1, uu2, uu3] = FrictionJoint{};
     [[maybe_unused]] const auto& [x1, x2] = JointLimits{};
     [[maybe_unused]] const auto& [y1, y2] = JointMotor{};
     [[maybe_unused]] const auto& [z1, z2, z3] = JointSpring{};
@@ -161,12 +177,22 @@ TEST(SceneSchema, KnowsEveryFieldOfEveryDefinition)
     EXPECT_EQ(count("filter"), 3u);
     EXPECT_EQ(count("force"), 5u);
     EXPECT_EQ(count("mass"), 3u);
-    EXPECT_EQ(count("joint"), 8u - 1 + 5);  // five kinds instead of one field
+    EXPECT_EQ(count("joint"), 8u - 1 + 15);  // fifteen kinds instead of one field
     EXPECT_EQ(count("revolute"), 6u);
     EXPECT_EQ(count("distance"), 6u);
     EXPECT_EQ(count("prismatic"), 7u);
     EXPECT_EQ(count("weld"), 5u);
     EXPECT_EQ(count("target"), 7u);
+    EXPECT_EQ(count("wheel"), 6u);
+    EXPECT_EQ(count("groove"), 3u);
+    EXPECT_EQ(count("rotary"), 4u);
+    EXPECT_EQ(count("ratchet"), 2u);
+    EXPECT_EQ(count("gear"), 2u);
+    EXPECT_EQ(count("rack"), 5u);
+    EXPECT_EQ(count("pulley"), 9u);
+    EXPECT_EQ(count("motorJoint"), 9u);
+    EXPECT_EQ(count("friction"), 3u);
+    EXPECT_EQ(count("filterJoint"), 0u);
     EXPECT_EQ(count("limits"), 2u);
     EXPECT_EQ(count("motor"), 2u);
     EXPECT_EQ(count("spring"), 3u);

@@ -106,27 +106,144 @@ struct TargetJoint {
     friend constexpr bool operator==(const TargetJoint&, const TargetJoint&) noexcept = default;
 };
 
+/// B rolls on an axle that slides along an axis fixed in A: a suspension. The axis usually points from the
+/// chassis (A) down to the wheel (B), or up.
+struct WheelJoint {
+    Vec2 anchorA = {};       ///< in each body's frame; B's is its hub                         [m]
+    Vec2 anchorB = {};
+    Vec2 axis = {0, 1};      ///< of the way, in A's frame, of any length but 0                [1]
+    std::optional<JointLimits> limits = {};   ///< of the way of the hub along the axis        [m]
+    std::optional<JointMotor> motor = {};  ///< turns the wheel against A                   [rad/s], [N*m]
+    std::optional<JointSpring> spring = JointSpring{4, real(0.7), 0};  ///< along the axis    [m]
+
+    friend constexpr bool operator==(const WheelJoint&, const WheelJoint&) noexcept = default;
+};
+
+/// A point of B slides on a segment fixed in A, and stops at its ends; B may turn about it.
+struct GrooveJoint {
+    Vec2 start = {-1, 0};  ///< of the groove, in A's frame; not where it ends   [m]
+    Vec2 end = {1, 0};  ///< likewise                                         [m]
+    Vec2 anchorB = {};  ///< the point, in B's frame                          [m]
+
+    friend constexpr bool operator==(const GrooveJoint&, const GrooveJoint&) noexcept = default;
+};
+
+/// Holds the angle of B against A, and leaves their places free. With limits, a motor or a spring it is not
+/// held but bounded, driven or pulled: a rotary limit, a rotary motor, a damped rotary spring.
+struct RotaryJoint {
+    double referenceAngle = 0;  ///< of B against A where the joint's angle is 0   [rad]
+    std::optional<JointLimits> limits = {};  ///< of the joint's angle, several turns           [rad]
+    std::optional<JointMotor> motor = {};  ///< [rad/s], [N*m]
+    std::optional<JointSpring> spring = {};  ///< towards the angle `rest`                      [rad]
+
+    friend constexpr bool operator==(const RotaryJoint&, const RotaryJoint&) noexcept = default;
+};
+
+/// B turns against A one way only: it may go back no farther than to the last tooth it passed.
+struct RatchetJoint {
+    double referenceAngle = 0;  ///< of B against A where a tooth is                              [rad]
+    real tooth =
+        real(0.5);  ///< angle from tooth to tooth; < 0 turns clockwise   [rad]   1e-3 to 1e3 either way
+
+    friend constexpr bool operator==(const RatchetJoint&, const RatchetJoint&) noexcept = default;
+};
+
+/// Two wheels that turn together: angle of B = ratio * angle of A + phase, turns counted. Wheels that mesh
+/// have a negative ratio, - radius of A/radius of B; wheels on a belt a positive one. What holds their axles
+/// is not part of it: a gear passes on torques, the difference of which the ground bears.
+struct GearJoint {
+    real ratio = 1;  ///< turns of B for a turn of A             [1]     1e-3 to 1e3 either way
+    double phase = 0;  ///< angle of B where that of A is 0        [rad]
+
+    friend constexpr bool operator==(const GearJoint&, const GearJoint&) noexcept = default;
+};
+
+/// A rack (A) and a pinion (B): the way of the pinion's center along the rack = radius * the angle of the
+/// pinion against the rack + offset, turns counted. It keeps nothing else: what guides the two are other
+/// joints.
+struct RackJoint {
+    Vec2 anchorA = {};  ///< in each body's frame; B's is the pinion's center            [m]
+    Vec2 anchorB = {};
+    Vec2 axis = {1, 0};  ///< of the rack, in A's frame, of any length but 0              [1]
+    real radius = 1;  ///< of the pinion; < 0 if it is on the rack's other side        [m]   not 0
+    double offset = 0;  ///< the way where the angle is 0                                [m]
+
+    friend constexpr bool operator==(const RackJoint&, const RackJoint&) noexcept = default;
+};
+
+/// A rope from A over two wheels in the world to B: lengthA + ratio * lengthB <= length, where the lengths
+/// are those from the wheels to the anchors. With a ratio other than 1 it is a block and tackle. The wheels
+/// are fixed and weigh nothing; the ground bears them.
+struct PulleyJoint {
+    Vec2 anchorA = {};  ///< in each body's frame                                       [m]
+    Vec2 anchorB = {};
+    Position wheelA = {-1, 0};  ///< in the world                                               [m]
+    Position wheelB = {1, 0};
+    real ratio = 1;  ///< pull on B over pull on A                         [1]     1e-3 to 1e3
+    real length = 2;  ///< of the rope: lengthA + ratio * lengthB           [m]     > 0
+    bool taut = false;  ///< it pushes as well as pulls, and is never slack
+    real stopA = real(0.05);   ///< A comes no nearer to its wheel                             [m]     > 0
+    real stopB = real(0.05);   ///< likewise                                                   [m]     > 0
+
+    friend constexpr bool operator==(const PulleyJoint&, const PulleyJoint&) noexcept = default;
+};
+
+/// Drives B against A with no more than a force and a torque: at speeds, or, where there are springs, to a
+/// place and an angle. For movers that push no harder than they should.
+struct MotorJoint {
+    Vec2 anchorA = {};  ///< in each body's frame                           [m]
+    Vec2 anchorB = {};
+    double referenceAngle = 0;  ///< of B against A                                 [rad]
+    std::optional<JointSpring> linear = {};  ///< pulls B's anchor to A's. Its `rest` must be 0
+    std::optional<JointSpring> angular = {};  ///< pulls B to the angle. Its `rest` must be 0
+    Vec2 velocity = {};  ///< without `linear`: of B's anchor, in A's frame             [m/s]
+    real spin = 0;  ///< without `angular`: of B against A                         [rad/s]
+    real maxForce = kUnlimited;  ///< [N]   >= 0; 0: places are left alone
+    real maxTorque = kUnlimited;  ///< [N*m] >= 0; 0: angles are left alone
+
+    friend constexpr bool operator==(const MotorJoint&, const MotorJoint&) noexcept = default;
+};
+
+/// Dry friction of bodies that slide over each other in the plane, as seen from above: slows what B does
+/// against A at one point, and how B turns against A, by a force and a torque, and up to these holds it
+/// still.
+struct FrictionJoint {
+    Vec2 anchor = {};  ///< where it acts, in B's frame   [m]
+    real maxForce = 0;  ///< [N]   >= 0
+    real maxTorque = 0;  ///< [N*m] >= 0
+
+    friend constexpr bool operator==(const FrictionJoint&, const FrictionJoint&) noexcept = default;
+};
+
+/// Does nothing but keep the two bodies from colliding; `collideConnected` undoes it. It ties nothing: each
+/// sleeps, wakes and moves as if it were not there, it bears nothing and never breaks.
+struct FilterJoint {
+    friend constexpr bool operator==(const FilterJoint&, const FilterJoint&) noexcept = default;
+};
+
 /// One of the kinds.
-using JointKind = std::variant<RevoluteJoint, DistanceJoint, PrismaticJoint, WeldJoint, TargetJoint>;
+using JointKind = std::variant<RevoluteJoint, DistanceJoint, PrismaticJoint, WeldJoint, TargetJoint,
+                               WheelJoint, GrooveJoint, RotaryJoint, RatchetJoint, GearJoint, RackJoint,
+                               PulleyJoint, MotorJoint, FrictionJoint, FilterJoint>;
 
 /// When a joint breaks: by what it bears on average over a step, or by how far it has given way.
 struct JointBreaking {
-    real force = kUnlimited;    ///< [N]     > 0
-    real torque = kUnlimited;   ///< [N*m]   > 0
-    real error = kUnlimited;    ///< [m]     > 0
+    real force = kUnlimited;  ///< [N]     > 0
+    real torque = kUnlimited;  ///< [N*m]   > 0
+    real error = kUnlimited;  ///< [m]     > 0
 
     friend constexpr bool operator==(const JointBreaking&, const JointBreaking&) noexcept = default;
 };
 
 /// What a new joint is like.
 struct JointDef {
-    BodyId bodyA = {}, bodyB = {};    ///< two bodies of the world, at least one of them dynamic
+    BodyId bodyA = {}, bodyB = {};  ///< two bodies of the world, at least one of them dynamic
     JointKind kind = RevoluteJoint{};
-    bool collideConnected = false;    ///< may the two bodies touch each other?
-    bool enabled = true;              ///< a joint that is not does nothing
+    bool collideConnected = false;  ///< may the two bodies touch each other?
+    bool enabled = true;  ///< a joint that is not does nothing
     JointBreaking breaking = {};
-    std::string name = {};            ///< for messages and scene files; need not be unique
-    std::uint64_t userData = 0;       ///< yours
+    std::string name = {};  ///< for messages and scene files; need not be unique
+    std::uint64_t userData = 0;  ///< yours
 };
 
 /// At which of its limits a joint is.
@@ -134,8 +251,8 @@ enum class LimitState : std::uint8_t { Free, AtLower, AtUpper };
 
 /// What a joint did in the last step, and where it is now.
 struct JointReading {
-    Vec2 force;               ///< on B at its anchor (-force on A), averaged over the step          [N]
-    real torque = 0;          ///< on B beside that force, averaged likewise                        [N*m]
+    Vec2 force;  ///< on B at its anchor (-force on A), averaged over the step          [N]
+    real torque = 0;  ///< on B beside that force, averaged likewise                        [N*m]
     double position = 0;  ///< angle, length or way along the axis: the one that the kind has    [m] or [rad]
     real speed = 0;  ///< its rate                                                          [m/s] or [rad/s]
     real error = 0;  ///< distance of what should be together                               [m]   >= 0

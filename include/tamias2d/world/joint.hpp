@@ -73,5 +73,18 @@ JointDef slideAlong(const Body& a, const Body& b, Position anchor, Vec2 axis);
 JointDef weldAt(const Body& a, const Body& b, Position anchor);
 /// Drags B by one of its points, from where that is.
 JointDef dragAt(const Body& hand, const Body& b, Position point);
+/// A wheel (B) on its hub, sprung along an axis in the world; the way counts from now.
+JointDef wheelAt(const Body& chassis, const Body& wheel, Position hub, Vec2 axis);
+/// A point of B slides on A from one place in the world to another; it need not be there yet.
+JointDef grooveBetween(const Body& a, const Body& b, Position start, Position end, Position onB);
+/// B turns `ratio` times as far as A from now on.
+JointDef gearBetween(const Body& a, const Body& b, real ratio);
+/// A pinion (B) about its center of mass on a rack (A) along an axis in the world, from now on.
+JointDef rackAlong(const Body& rack, const Body& pinion, Vec2 axis, real radius);
+/// A rope from a place on A over two wheels to a place on B, as long as it has to be.
+JointDef pulleyOver(const Body& a, const Body& b, Position onA, Position onB, Position wheelA,
+                    Position wheelB, real ratio = 1);
+/// Any kind between two bodies.
+JointDef jointOf(const Body& a, const Body& b, const JointKind& kind);
 
 }  // namespace tamias2d::inline TAMIAS_PRECISION
