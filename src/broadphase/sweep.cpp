@@ -137,18 +137,21 @@ void sortPairs(const std::vector<ShapePair>& found, std::vector<ShapePair>& pair
 }  // namespace
 
 void sweepPairs(const std::vector<SweepBox>& boxes, std::span<const ShapePair> more,
-                std::vector<ShapePair>& pairs, SweepScratch& scratch)
+                std::vector<ShapePair>& pairs, SweepScratch& scratch, Parallel& parallel)
 {
     scratch.found.assign(more.begin(), more.end());
     if (!boxes.empty()) {
         const Strips strips = layOut(boxes);
         fillStrips(boxes, strips, scratch);
-        std::uint32_t start = 0;
-        for (const std::uint32_t end : scratch.bucketEnds) {
-            sweepBucket(boxes, strips, scratch.entries.data() + start, scratch.entries.data() + end,
-                        scratch.found);
-            start = end;
-        }
+        constexpr std::size_t kBuckets = 64;
+        scratch.ofChunks.begin(Parallel::chunksOf(scratch.bucketEnds.size(), kBuckets));
+        parallel.forEach(scratch.bucketEnds.size(), kBuckets, [&](const Chunk& chunk) {
+            Entry* const entries = scratch.entries.data();
+            for (std::size_t k = chunk.begin; k < chunk.end; ++k)
+                sweepBucket(boxes, strips, entries + (k == 0 ? 0 : scratch.bucketEnds[k - 1]),
+                            entries + scratch.bucketEnds[k], scratch.ofChunks.of(chunk.index));
+        });
+        scratch.ofChunks.forAll([&](const ShapePair& pair) { scratch.found.push_back(pair); });
         for (std::size_t k = 0; k < scratch.huge.size(); ++k) {
             const SweepBox& huge = boxes[scratch.huge[k]];
             for (std::uint32_t i = 0, next = 0; i < boxes.size(); ++i) {

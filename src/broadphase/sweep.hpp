@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "tasks/chunk_lists.hpp"
+#include "tasks/parallel.hpp"
+
 #include <tamias2d/geometry/aabb.hpp>
 
 #include <cstdint>
@@ -35,13 +38,14 @@ struct SweepScratch {
     std::vector<Entry> unsorted;
     std::vector<std::uint32_t> bucketEnds;
     std::vector<std::uint32_t> huge;          // boxes that would lie in too many strips
-    std::vector<ShapePair> found;             // pairs before they are sorted
+    ChunkLists<ShapePair> ofChunks;           // pairs that chunks of buckets find
+    std::vector<ShapePair> found;             // all pairs before they are sorted
     std::vector<std::uint32_t> pairEnds;      // by first shape
 };
 
 /// All pairs of overlapping boxes of which one moves, and the pairs in `more`, sorted by shape. The boxes are
 /// laid out in strips along x and swept strip by strip from left to right.
 void sweepPairs(const std::vector<SweepBox>& boxes, std::span<const ShapePair> more,
-                std::vector<ShapePair>& pairs, SweepScratch& scratch);
+                std::vector<ShapePair>& pairs, SweepScratch& scratch, Parallel& parallel);
 
 }  // namespace tamias2d::inline TAMIAS_PRECISION

@@ -74,32 +74,88 @@ Contact makeContact(const ContactWorld& world, const ShapePair& pair)
     return contact;
 }
 
+namespace {
+
+// Brings the pairs of a chunk together with the old contacts that stand among them.
+class Matching {
+public:
+    Matching(const ContactWorld& world, const std::vector<ShapePair>& pairs, const std::vector<Contact>& old,
+             MatchScratch& scratch)
+        : world_(world), pairs_(pairs), old_(old), scratch_(scratch)
+    {
+    }
+
+    void count(const Chunk& chunk)
+    {
+        std::uint32_t count = 0;
+        for (std::size_t k = chunk.begin; k < chunk.end; ++k) {
+            scratch_.allowed[k] = mayCollide(world_, pairs_[k]) ? 1 : 0;
+            count += scratch_.allowed[k];
+        }
+        scratch_.starts[chunk.index] = count;
+    }
+
+    void match(const Chunk& chunk)
+    {
+        std::size_t at = chunk.begin == 0 ? 0 : firstFrom(pairs_[chunk.begin]);
+        const std::size_t end = chunk.end == pairs_.size() ? old_.size() : firstFrom(pairs_[chunk.end]);
+        Contact* next = scratch_.matched.data() + scratch_.starts[chunk.index];
+        for (std::size_t k = chunk.begin; k < chunk.end; ++k) {
+            if (scratch_.allowed[k] == 0) continue;
+            const ShapePair& pair = pairs_[k];
+            for (; at < end && isBefore(old_[at], pair); ++at) leave(at);
+            if (at < end && old_[at].shapeA == pair.a && old_[at].shapeB == pair.b) {
+                scratch_.leaves[at] = 0;
+                *next = old_[at++];
+                refresh(world_, *next++);
+            } else {
+                *next++ = makeContact(world_, pair);
+            }
+        }
+        for (; at < end; ++at) leave(at);
+    }
+
+    void leave(std::size_t i) { scratch_.leaves[i] = old_[i].touching ? 1 : 0; }
+
+private:
+    const ContactWorld& world_;
+    const std::vector<ShapePair>& pairs_;
+    const std::vector<Contact>& old_;
+    MatchScratch& scratch_;
+
+    std::size_t firstFrom(const ShapePair& pair) const
+    {
+        return static_cast<std::size_t>(std::lower_bound(old_.begin(), old_.end(), pair, isBefore) -
+                                        old_.begin());
+    }
+};
+
+}  // namespace
+
 void matchPairs(const ContactWorld& world, const std::vector<ShapePair>& pairs,
-                std::vector<Contact>& contacts, MatchScratch& scratch)
+                std::vector<Contact>& contacts, MatchScratch& scratch, Parallel& parallel)
 {
-    std::vector<Contact>& matched = scratch.matched;
-    matched.clear();
+    constexpr std::size_t kGrain = 256;
+    Matching matching(world, pairs, contacts, scratch);
+    scratch.allowed.resize(pairs.size());
+    scratch.leaves.resize(contacts.size());
+    scratch.starts.resize(Parallel::chunksOf(pairs.size(), kGrain));
+    parallel.forEach(pairs.size(), kGrain, [&](const Chunk& chunk) { matching.count(chunk); });
+    std::uint32_t total = 0;
+    for (std::uint32_t& count : scratch.starts) count = (total += count) - count;
+
     // With room for those that are found in mid-step. The two take turns, so both are as large.
+    std::vector<Contact>& matched = scratch.matched;
     const std::size_t room = pairs.size() + pairs.size() / 4 + 16;
     if (contacts.capacity() < room) contacts.reserve(room + room / 2);
     matched.reserve(contacts.capacity());
     scratch.left.clear();
     scratch.left.reserve(contacts.size() / 4 + 16);
-    const auto leave = [&](const Contact& contact) {
-        if (contact.touching) scratch.left.push_back(contact);
-    };
-    std::size_t old = 0;
-    for (const ShapePair& pair : pairs) {
-        if (!mayCollide(world, pair)) continue;
-        for (; old < contacts.size() && isBefore(contacts[old], pair); ++old) leave(contacts[old]);
-        if (old < contacts.size() && contacts[old].shapeA == pair.a && contacts[old].shapeB == pair.b) {
-            matched.push_back(contacts[old++]);
-            refresh(world, matched.back());
-        } else {
-            matched.push_back(makeContact(world, pair));
-        }
-    }
-    for (; old < contacts.size(); ++old) leave(contacts[old]);
+    matched.resize(total);
+    parallel.forEach(pairs.size(), kGrain, [&](const Chunk& chunk) { matching.match(chunk); });
+    for (std::size_t i = 0; pairs.empty() && i < contacts.size(); ++i) matching.leave(i);
+    for (std::size_t i = 0; i < contacts.size(); ++i)
+        if (scratch.leaves[i] != 0) scratch.left.push_back(contacts[i]);
     contacts.swap(matched);
 }
 

@@ -7,6 +7,7 @@
 #include "model/joints.hpp"
 #include "model/motion.hpp"
 #include "model/shapes.hpp"
+#include "tasks/parallel.hpp"
 
 namespace tamias2d::inline TAMIAS_PRECISION {
 
@@ -30,11 +31,14 @@ Contact makeContact(const ContactWorld& world, const ShapePair& pair);
 struct MatchScratch {
     std::vector<Contact> matched;
     std::vector<Contact> left;    // contacts that touched and have no pair any more, in their order
+    std::vector<std::uint8_t> allowed;      // by pair: may the two collide?
+    std::vector<std::uint8_t> leaves;       // by old contact: does it belong into that list?
+    std::vector<std::uint32_t> starts;      // by chunk of pairs: where its contacts begin
 };
 
 /// Brings the contacts in line with the sorted pairs: old ones keep all they carry, new ones start
 /// empty, those without a pair leave; those of them that touched stand in `scratch.left`.
 void matchPairs(const ContactWorld& world, const std::vector<ShapePair>& pairs,
-                std::vector<Contact>& contacts, MatchScratch& scratch);
+                std::vector<Contact>& contacts, MatchScratch& scratch, Parallel& parallel);
 
 }  // namespace tamias2d::inline TAMIAS_PRECISION

@@ -4,6 +4,8 @@
 #include "contacts/rows.hpp"
 #include "contacts/update.hpp"
 
+#include <tamias2d/math/scalar.hpp>
+
 namespace tamias2d::inline TAMIAS_PRECISION {
 namespace {
 
@@ -24,6 +26,56 @@ bool stopAtEdge(Motion& m, real lengthUnit)
     return true;
 }
 
+void finalizeBody(Motion& m, BodyRow& b, const StepContext& context, FinalCounts& counts)
+{
+    remember(b);
+    if (!isNumber(m)) {
+        b.velocity = {};
+        b.spin = 0;
+        b.enabled = false;
+        m.center = b.center;
+        m.angle = b.angle;
+        m.rotation = b.rotation;
+        ++counts.nonFinite;
+        return;
+    }
+    counts.stopped += stopAtEdge(m, context.lengthUnit) ? 1 : 0;
+    b.center = m.center;
+    b.angle = m.angle;
+    b.rotation = m.rotation;
+    b.velocity = m.velocity;
+    b.spin = m.spin;
+}
+
+// Where the contact is now. A swept pair's manifold may be stale by now: its nearest features are looked up
+// again, so that touching and separation are those of the final poses.
+void finalizeContact(Contact& c, const Motion& a, const Motion& b, const ShapeTable& shapes,
+                     const StepContext& context, FinalCounts& counts)
+{
+    if (c.swept) {
+        const SweptPair pair = sweptPairOf(c, shapes, a, b, context.invH);
+        SweptResult nearest;
+        if (c.clearance <= 3 * c.restGap) nearest = nearestAt(pair, 0);
+        adoptManifold(c, nearest, real(0.3) * maximum(pair.a.size, pair.b.size));
+    }
+    prepareContact(c, a, b);
+    for (int i = 0; i < c.count; ++i) {
+        const double overlap = -static_cast<double>(c.points[i].gap + c.restGap);
+        if (overlap > counts.deepestOverlap) counts.deepestOverlap = overlap;
+    }
+}
+
+FinalCounts sumOf(const std::vector<FinalCounts>& ofChunks)
+{
+    FinalCounts sum;
+    for (const FinalCounts& counts : ofChunks) {
+        sum.nonFinite += counts.nonFinite;
+        sum.stopped += counts.stopped;
+        sum.deepestOverlap = maximum(sum.deepestOverlap, counts.deepestOverlap);
+    }
+    return sum;
+}
+
 }  // namespace
 
 void remember(BodyRow& b)
@@ -36,47 +88,29 @@ void remember(BodyRow& b)
 }
 
 FinalCounts finalize(MotionTable& motions, ContactTable& contacts, const ShapeTable& shapes,
-                     BodyTable& bodies, const StepContext& context)
+                     BodyTable& bodies, const StepContext& context, std::vector<FinalCounts>& ofChunks,
+                     Parallel& parallel)
 {
-    FinalCounts counts;
-    for (Motion& m : motions.rows) {
-        BodyRow& b = bodies.rows[m.body];
-        if (!b.takesPart) continue;
-        remember(b);
-        if (!isNumber(m)) {
-            b.velocity = {};
-            b.spin = 0;
-            b.enabled = false;
-            m.center = b.center;
-            m.angle = b.angle;
-            m.rotation = b.rotation;
-            ++counts.nonFinite;
-            continue;
+    constexpr std::size_t kBodies = 256, kContacts = 128;
+    ofChunks.assign(Parallel::chunksOf(motions.rows.size(), kBodies), {});
+    parallel.forEach(motions.rows.size(), kBodies, [&](const Chunk& chunk) {
+        for (std::size_t row = chunk.begin; row < chunk.end; ++row) {
+            Motion& m = motions.rows[row];
+            BodyRow& b = bodies.rows[m.body];
+            if (b.takesPart) finalizeBody(m, b, context, ofChunks[chunk.index]);
         }
-        counts.stopped += stopAtEdge(m, context.lengthUnit) ? 1 : 0;
-        b.center = m.center;
-        b.angle = m.angle;
-        b.rotation = m.rotation;
-        b.velocity = m.velocity;
-        b.spin = m.spin;
-    }
+    });
+    FinalCounts counts = sumOf(ofChunks);
 
-    // Where the contacts are now. A swept pair's manifold may be stale by now: its nearest features
-    // are looked up again, so that touching and separation are those of the final poses.
-    for (Contact& c : contacts.rows) {
-        const Motion &a = motions.rows[c.rowA], &b = motions.rows[c.rowB];
-        if (c.swept) {
-            const SweptPair pair = sweptPairOf(c, shapes, a, b, context.invH);
-            SweptResult nearest;
-            if (c.clearance <= 3 * c.restGap) nearest = nearestAt(pair, 0);
-            adoptManifold(c, nearest, real(0.3) * maximum(pair.a.size, pair.b.size));
+    ofChunks.assign(Parallel::chunksOf(contacts.rows.size(), kContacts), {});
+    parallel.forEach(contacts.rows.size(), kContacts, [&](const Chunk& chunk) {
+        for (std::size_t i = chunk.begin; i < chunk.end; ++i) {
+            Contact& c = contacts.rows[i];
+            finalizeContact(c, motions.rows[c.rowA], motions.rows[c.rowB], shapes, context,
+                            ofChunks[chunk.index]);
         }
-        prepareContact(c, a, b);
-        for (int i = 0; i < c.count; ++i) {
-            const double overlap = -static_cast<double>(c.points[i].gap + c.restGap);
-            if (overlap > counts.deepestOverlap) counts.deepestOverlap = overlap;
-        }
-    }
+    });
+    counts.deepestOverlap = sumOf(ofChunks).deepestOverlap;
     return counts;
 }
 

@@ -6,6 +6,9 @@
 #include "model/motion.hpp"
 #include "model/shapes.hpp"
 #include "model/step_context.hpp"
+#include "tasks/parallel.hpp"
+
+#include <vector>
 
 namespace tamias2d::inline TAMIAS_PRECISION {
 
@@ -21,7 +24,8 @@ void remember(BodyRow& body);
 /// Writes the solved state back to the bodies that take part and measures the contacts where they are now. A
 /// body whose state is no number is put back where it was, at rest and disabled.
 FinalCounts finalize(MotionTable& motions, ContactTable& contacts, const ShapeTable& shapes,
-                     BodyTable& bodies, const StepContext& context);
+                     BodyTable& bodies, const StepContext& context, std::vector<FinalCounts>& ofChunks,
+                     Parallel& parallel);
 
 /// Does some point of the contact count as touching? Gaps must be those of the present poses.
 bool isTouching(const Contact& contact, const Tuning& tuning);

@@ -12,13 +12,6 @@
 namespace tamias2d::inline TAMIAS_PRECISION {
 namespace {
 
-void forgetRows(MotionTable& motions, std::size_t bodies)
-{
-    for (const Motion& m : motions.rows) motions.rowOf[m.body] = MotionTable::kNone;
-    motions.rowOf.resize(bodies, MotionTable::kNone);
-    motions.rows.clear();
-}
-
 void addRow(MotionTable& motions, const BodyTable& bodies, std::uint32_t slot)
 {
     motions.rowOf[slot] = static_cast<std::uint32_t>(motions.rows.size());
@@ -26,11 +19,20 @@ void addRow(MotionTable& motions, const BodyTable& bodies, std::uint32_t slot)
 }
 
 // The bodies that take part. Under gravitation all do, as each pulls the others.
-void gatherMotions(const BodyTable& bodies, bool all, MotionTable& motions)
+void gatherMotions(const BodyTable& bodies, bool all, MotionTable& motions, Parallel& parallel)
 {
-    forgetRows(motions, bodies.rows.size());
-    for (const std::uint32_t slot : bodies.parts) addRow(motions, bodies, slot);
-    motions.parts = static_cast<std::uint32_t>(motions.rows.size());
+    constexpr std::size_t kGrain = 128;
+    for (const Motion& m : motions.rows) motions.rowOf[m.body] = MotionTable::kNone;
+    motions.rowOf.resize(bodies.rows.size(), MotionTable::kNone);
+    motions.parts = static_cast<std::uint32_t>(bodies.parts.size());
+    motions.rows.resize(bodies.parts.size());
+    parallel.forEach(bodies.parts.size(), kGrain, [&](const Chunk& chunk) {
+        for (std::size_t row = chunk.begin; row < chunk.end; ++row) {
+            const std::uint32_t slot = bodies.parts[row];
+            motions.rowOf[slot] = static_cast<std::uint32_t>(row);
+            motions.rows[row] = motionOf(bodies.rows[slot], slot);
+        }
+    });
     if (!all) return;
     for (std::uint32_t slot = 0; slot < bodies.rows.size(); ++slot)
         if (bodies.ids.isAlive(slot) && bodies.rows[slot].enabled && !bodies.rows[slot].takesPart)
@@ -143,6 +145,26 @@ void World::Impl::gatherPartners()
     for (const std::uint32_t slot : still) addRow(motions, bodies, slot);
 }
 
+// The pairs of boxes that move and of shapes that hold still on their way.
+void World::Impl::findRestPairs(const ContactWorld& world)
+{
+    constexpr std::size_t kGrain = 64;
+    foundResting.begin(Parallel::chunksOf(boxes.size(), kGrain));
+    parallel.forEach(boxes.size(), kGrain, [&](const Chunk& chunk) {
+        std::vector<RestPair>& found = foundResting.of(chunk.index);
+        for (std::size_t k = chunk.begin; k < chunk.end; ++k) {
+            const SweepBox& box = boxes[k];
+            if (!box.moves) continue;
+            resting.eachOverlapping(box.box, [&](std::uint32_t other) {
+                const ShapeRow& shape = shapes.rows[other];
+                const ShapePair pair{minimum(box.shape, other), maximum(box.shape, other)};
+                if (overlaps(box.box, shape.sweptBox) && mayCollide(world, pair))
+                    found.push_back({pair, bodies.rows[shape.body].group});
+            });
+        }
+    });
+}
+
 std::uint32_t World::Impl::gather(const ForceField& forces, const StepContext& context)
 {
     listUncoupled();
@@ -154,7 +176,7 @@ std::uint32_t World::Impl::gather(const ForceField& forces, const StepContext& c
             sortUnique(bodies.parts);
             partsAreSorted = true;
         }
-        gatherMotions(bodies, forces.gravitationConstant > 0, motions);
+        gatherMotions(bodies, forces.gravitationConstant > 0, motions, parallel);
         gatherPartners();
         if (!met.empty()) {
             for (const std::uint32_t group : met) wakeGroup(group);
@@ -166,23 +188,17 @@ std::uint32_t World::Impl::gather(const ForceField& forces, const StepContext& c
         sweepBoxes(bodies, shapes, motions, context, paths, chunkStarts, boxes, parallel);
 
         // What holds still on their way. Those that sleep there and are met wake, and all is gathered again.
+        findRestPairs(world);
         restPairs.clear();
         met.clear();
-        for (const SweepBox& box : boxes) {
-            if (!box.moves) continue;
-            resting.eachOverlapping(box.box, [&](std::uint32_t other) {
-                const ShapeRow& shape = shapes.rows[other];
-                const ShapePair pair{minimum(box.shape, other), maximum(box.shape, other)};
-                if (!overlaps(box.box, shape.sweptBox) || !mayCollide(world, pair)) return;
-                const std::uint32_t group = bodies.rows[shape.body].group;
-                if (group == BodyRow::kNoGroup) {
-                    restPairs.push_back(pair);
-                } else if (!asleep.groups[group].isMet && meets(world, pair, context)) {
-                    asleep.groups[group].isMet = true;
-                    met.push_back(group);
-                }
-            });
-        }
+        foundResting.forAll([&](const RestPair& found) {
+            if (found.group == BodyRow::kNoGroup) {
+                restPairs.push_back(found.pair);
+            } else if (!asleep.groups[found.group].isMet && meets(world, found.pair, context)) {
+                asleep.groups[found.group].isMet = true;
+                met.push_back(found.group);
+            }
+        });
         if (met.empty()) break;
         for (const std::uint32_t group : met) wakeGroup(group);
     }

@@ -17,7 +17,9 @@
 #include "model/motion.hpp"
 #include "model/shapes.hpp"
 #include "model/sleep.hpp"
+#include "solver/finalize.hpp"
 #include "solver/solve.hpp"
+#include "tasks/chunk_lists.hpp"
 #include "tasks/parallel.hpp"
 
 #include <tamias2d/world/world.hpp>
@@ -37,6 +39,12 @@ struct RestingShape {
     bool rouses;
 };
 
+/// A box that moves, and what holds still on its way.
+struct RestPair {
+    ShapePair pair;
+    std::uint32_t group;   // it sleeps in, or BodyRow::kNoGroup
+};
+
 /// What choosing who sleeps works with.
 struct SleepScratch {
     struct Verdict {   // on a group, kept at its lowest row
@@ -52,13 +60,17 @@ struct Census {
     std::uint32_t bodies = 0, dynamicBodies = 0, shapes = 0;   // enabled, or of enabled bodies
 };
 
+/// How near the shapes of a contact are: with no points, with some, or touching or under load.
+enum class Nearness : std::uint8_t { Apart, Near, Linked };
+
 /// Who must be solved together and who may be side by side, and what finding out works with.
 struct GraphScratch {
     std::vector<bool> movable;   // by row: can anything push it?
     std::vector<Link> links;
     Islands islands;             // by load or touch
     Islands crowds;              // of all that meet
-    std::vector<RowPair> pairs;
+    std::vector<RowPair> pairs;         // by contact
+    std::vector<Nearness> nearness;     // likewise
     ColorScratch colors;
 };
 
@@ -109,6 +121,7 @@ struct World::Impl {
     MotionTable motions;
     std::vector<SweepBox> boxes;
     std::vector<std::uint32_t> chunkStarts;
+    ChunkLists<RestPair> foundResting;          // by chunk of boxes
     std::vector<ShapePair> restPairs;           // of a box and what holds still
     std::vector<std::uint32_t> met;             // groups
     std::vector<std::uint32_t> roused;          // groups
@@ -117,6 +130,8 @@ struct World::Impl {
     SweepScratch sweepScratch;
     ExpectedPaths paths;                        // of bodies within the step
     std::vector<ManifoldCounts> manifoldCounts; // by chunk of contacts
+    std::vector<FinalCounts> finalCounts;       // by chunk
+    std::vector<std::uint8_t> touchChanges;     // by contact
     MatchScratch matchScratch;
     GraphScratch graph;
     std::vector<ImpactRecord> impacts;
@@ -209,6 +224,7 @@ struct World::Impl {
 
     // world/gather.cpp: the bodies of a step, and who may meet.
     void gatherPartners();
+    void findRestPairs(const ContactWorld& world);
     std::uint32_t gather(const ForceField& forces, const StepContext& context);
 
     // world/validate.cpp

@@ -30,26 +30,40 @@ void listMovable(const MotionTable& motions, std::vector<bool>& movable)
     for (const Motion& m : motions.rows) movable.push_back(m.moves());
 }
 
-void colorContacts(ContactTable& contacts, GraphScratch& graph)
+constexpr std::size_t kGrain = 256;   // contacts
+
+// What is to be known of contacts, apart from all else that they hold.
+void readContacts(const ContactTable& contacts, const StepContext& context, GraphScratch& graph,
+                  Parallel& parallel)
 {
-    graph.pairs.clear();
-    for (const Contact& c : contacts.rows) graph.pairs.push_back({c.rowA, c.rowB});
-    colorConstraints(graph.pairs, graph.movable, contacts.order, contacts.colorEnds, graph.colors);
+    graph.pairs.resize(contacts.rows.size());
+    graph.nearness.resize(contacts.rows.size());
+    parallel.forEach(contacts.rows.size(), kGrain, [&](const Chunk& chunk) {
+        for (std::size_t k = chunk.begin; k < chunk.end; ++k) {
+            const Contact& c = contacts.rows[k];
+            bool linked = false;
+            for (int i = 0; i < c.count; ++i) {
+                const real reach = (context.tuning.touchingFactor - 1) * c.restGap;
+                linked = linked || c.points[i].normalImpulse > 0 || c.points[i].gap <= reach;
+            }
+            graph.pairs[k] = {c.rowA, c.rowB};
+            graph.nearness[k] = linked ? Nearness::Linked : c.count > 0 ? Nearness::Near : Nearness::Apart;
+        }
+    });
 }
 
-void linkTouching(const ContactTable& contacts, const JointSystem& system, const MotionTable& motions,
-                  const StepContext& context, GraphScratch& graph)
+// The pairs that are at least that near.
+void listLinks(GraphScratch& graph, Nearness least)
+{
+    graph.links.clear();
+    for (std::size_t k = 0; k < graph.pairs.size(); ++k)
+        if (graph.nearness[k] >= least) graph.links.push_back({graph.pairs[k].a, graph.pairs[k].b});
+}
+
+void linkTouching(const JointSystem& system, const MotionTable& motions, GraphScratch& graph)
 {
     std::vector<Link>& links = graph.links;
-    links.clear();
-    for (const Contact& c : contacts.rows) {
-        bool linked = false;
-        for (int i = 0; i < c.count; ++i) {
-            const real reach = (context.tuning.touchingFactor - 1) * c.restGap;
-            linked = linked || c.points[i].normalImpulse > 0 || c.points[i].gap <= reach;
-        }
-        if (linked) links.push_back({c.rowA, c.rowB});
-    }
+    listLinks(graph, Nearness::Linked);
     for (const JointRows& joint : system.joints) links.push_back({joint.rowA, joint.rowB});
     const auto sameMotion = [&](std::uint32_t a, std::uint32_t b) {
         const Motion &ma = motions.rows[a], &mb = motions.rows[b];
@@ -59,20 +73,43 @@ void linkTouching(const ContactTable& contacts, const JointSystem& system, const
     linkIslands(links, graph.movable, sameMotion, graph.islands);
 }
 
-void markCrowds(ContactTable& contacts, const Tuning& tuning, GraphScratch& graph)
+void markCrowds(ContactTable& contacts, const Tuning& tuning, GraphScratch& graph, Parallel& parallel)
 {
-    std::vector<Link>& links = graph.links;
-    links.clear();
-    for (const Contact& c : contacts.rows)
-        if (c.count > 0) links.push_back({c.rowA, c.rowB});
+    listLinks(graph, Nearness::Near);
     const Islands& islands = graph.crowds;
-    linkIslands(links, graph.movable, [](std::uint32_t, std::uint32_t) { return true; }, graph.crowds);
+    linkIslands(graph.links, graph.movable, [](std::uint32_t, std::uint32_t) { return true; }, graph.crowds);
     const auto sizeAt = [&](std::uint32_t row) {
         const std::uint32_t island = islands.islandOf[row];
         return island == Islands::kNone ? 0u : islands.sizeOf[island];
     };
-    for (Contact& c : contacts.rows)
-        c.crowded = maximum(sizeAt(c.rowA), sizeAt(c.rowB)) >= static_cast<std::uint32_t>(tuning.crowd);
+    parallel.forEach(contacts.rows.size(), kGrain, [&](const Chunk& chunk) {
+        for (std::size_t k = chunk.begin; k < chunk.end; ++k) {
+            const RowPair& pair = graph.pairs[k];
+            contacts.rows[k].crowded =
+                maximum(sizeAt(pair.a), sizeAt(pair.b)) >= static_cast<std::uint32_t>(tuning.crowd);
+        }
+    });
+}
+
+// Which contacts touch now, and which of them did not before, or do no more.
+enum TouchChange : std::uint8_t { Same, Begins, Ends };
+std::uint32_t findTouches(ContactTable& contacts, const Tuning& tuning, std::vector<std::uint8_t>& changes,
+                          std::vector<std::uint32_t>& counts, Parallel& parallel)
+{
+    changes.resize(contacts.rows.size());
+    counts.assign(Parallel::chunksOf(contacts.rows.size(), kGrain), 0);
+    parallel.forEach(contacts.rows.size(), kGrain, [&](const Chunk& chunk) {
+        for (std::size_t k = chunk.begin; k < chunk.end; ++k) {
+            Contact& c = contacts.rows[k];
+            const bool touches = isTouching(c, tuning);
+            changes[k] = touches == c.touching ? Same : touches ? Begins : Ends;
+            c.touching = touches;
+            counts[chunk.index] += touches ? 1 : 0;
+        }
+    });
+    std::uint32_t sum = 0;
+    for (const std::uint32_t count : counts) sum += count;
+    return sum;
 }
 
 }  // namespace
@@ -151,14 +188,14 @@ StepReport World::Impl::step(double dt, int substeps)
 
     // Who might touch.
     span.next("broad phase");
-    sweepPairs(boxes, restPairs, pairs, sweepScratch);
+    sweepPairs(boxes, restPairs, pairs, sweepScratch, parallel);
     begins.clear();
     ends.swap(endsOfDestroyed);
     endsOfDestroyed.clear();
     sortContacts();
     span.next("pairs to contacts");
     const ContactWorld world = contactWorld();
-    matchPairs(world, pairs, contacts.rows, matchScratch);
+    matchPairs(world, pairs, contacts.rows, matchScratch, parallel);
     for (const Contact& contact : matchScratch.left) ends.push_back(touchEvent(contact));
     r.times.pairs = watch.lap();
 
@@ -180,9 +217,10 @@ StepReport World::Impl::step(double dt, int substeps)
     // Who must be solved together, and who may be side by side.
     span.next("islands and colors");
     listMovable(motions, graph.movable);
-    linkTouching(contacts, jointSystem, motions, context, graph);
-    markCrowds(contacts, context.tuning, graph);
-    colorContacts(contacts, graph);
+    readContacts(contacts, context, graph, parallel);
+    linkTouching(jointSystem, motions, graph);
+    markCrowds(contacts, context.tuning, graph, parallel);
+    colorConstraints(graph.pairs, graph.movable, contacts.order, contacts.colorEnds, graph.colors);
     r.times.graph = watch.lap();
 
     // Move.
@@ -205,7 +243,7 @@ StepReport World::Impl::step(double dt, int substeps)
 
     // Hand back, and say what happened.
     span.next("finalize");
-    const FinalCounts final = finalize(motions, contacts, shapes, bodies, context);
+    const FinalCounts final = finalize(motions, contacts, shapes, bodies, context, finalCounts, parallel);
     r.nonFinite = final.nonFinite;
     if (r.nonFinite > 0) setAside();
     r.clamps.position = final.stopped;
@@ -213,12 +251,10 @@ StepReport World::Impl::step(double dt, int substeps)
     span.next("events");
     contactsAreSorted = contactsAreSorted && r.repaired == 0 && roused.empty();
     sortContacts();
-    for (Contact& contact : contacts.rows) {
-        const bool touches = isTouching(contact, context.tuning);
-        if (touches && !contact.touching) begins.push_back(touchEvent(contact));
-        if (!touches && contact.touching) ends.push_back(touchEvent(contact));
-        contact.touching = touches;
-        r.touching += touches ? 1 : 0;
+    r.touching = findTouches(contacts, context.tuning, touchChanges, chunkStarts, parallel);
+    for (std::size_t i = 0; i < contacts.rows.size(); ++i) {
+        if (touchChanges[i] == Begins) begins.push_back(touchEvent(contacts.rows[i]));
+        if (touchChanges[i] == Ends) ends.push_back(touchEvent(contacts.rows[i]));
     }
     std::sort(begins.begin(), begins.end(), byShapes<TouchEvent>);
     std::sort(ends.begin(), ends.end(), byShapes<TouchEvent>);

@@ -27,11 +27,13 @@ TEST(Sweep, FindsThePairsThatComparingAllWithAllFinds)
 {
     TRACES("R7", "T5");
     for (unsigned seed = 1; seed <= 20; ++seed) {
-        std::vector<SweepBox> boxes = randomBoxes(200, seed);
+        std::vector<SweepBox> boxes = randomBoxes(seed < 20 ? 200 : 2000, seed);
         const std::vector<ShapePair> expected = pairsByBruteForce(boxes);
         std::vector<ShapePair> pairs;
         SweepScratch scratch;
-        sweepPairs(boxes, {}, pairs, scratch);
+        Profile profile;
+        Parallel parallel(1 + static_cast<int>(seed % 3), nullptr, profile);
+        sweepPairs(boxes, {}, pairs, scratch, parallel);
         EXPECT_EQ(pairs, expected) << "seed " << seed << ": " << pairs.size() << " pairs instead of "
                                    << expected.size();
     }
@@ -77,9 +79,11 @@ TEST(Sweep, FindsThemHoweverTheWorldIsLaidOut)
          boxesAt(300, [&](auto) { return square(any(), any(), std::abs(any())); })},
     };
     SweepScratch scratch;
+    Profile profile;
+    Parallel parallel(1, nullptr, profile);
     for (const auto& [name, boxes] : worlds) {
         std::vector<ShapePair> pairs;
-        sweepPairs(boxes, {}, pairs, scratch);
+        sweepPairs(boxes, {}, pairs, scratch, parallel);
         EXPECT_EQ(pairs, pairsByBruteForce(boxes)) << name;
     }
 }
@@ -91,8 +95,10 @@ TEST(Sweep, ForgetsTheOrderInWhichBoxesWereGiven)
     std::reverse(backward.begin(), backward.end());
     std::vector<ShapePair> one, other;
     SweepScratch scratch;
-    sweepPairs(forward, {}, one, scratch);
-    sweepPairs(backward, {}, other, scratch);
+    Profile profile;
+    Parallel parallel(1, nullptr, profile);
+    sweepPairs(forward, {}, one, scratch, parallel);
+    sweepPairs(backward, {}, other, scratch, parallel);
     EXPECT_EQ(one, other);
 }
 
@@ -103,7 +109,9 @@ TEST(Sweep, TouchingEdgesAreAPairAndBoxesAtRestAreNone)
         {{{0, 0}, {1, 1}}, 0, 0, true}, {{{1, 0}, {2, 1}}, 1, 1, false}, {{{1.5, 0}, {3, 1}}, 2, 2, false}};
     std::vector<ShapePair> pairs;
     SweepScratch scratch;
-    sweepPairs(boxes, {}, pairs, scratch);
+    Profile profile;
+    Parallel parallel(1, nullptr, profile);
+    sweepPairs(boxes, {}, pairs, scratch, parallel);
     EXPECT_EQ(pairs, (std::vector<ShapePair>{{0, 1}}));
 }
 
