@@ -115,6 +115,50 @@ Json bodyJson(const Body& body)
     return {{"name", body.name()}, {"type", typeName(body.type())}, {"shapes", shapes}};
 }
 
+/// How a joint is drawn: a line through points, each in the frame of a body, or, with body -1, in the world.
+struct JointLine {
+    std::int64_t bodyA, bodyB;
+    Json line = Json::array(), dots = Json::array();
+    bool isDashed = false;
+
+    Json onA(Vec2 p) const { return {bodyA, p.x, p.y}; }
+    Json onB(Vec2 p) const { return {bodyB, p.x, p.y}; }
+    static Json inWorld(Position p) { return {-1, p.x, p.y}; }
+
+    template <class Kind>
+    void operator()(const Kind& k)
+    {
+        // Those that hold angles only, or nothing, have no place to be drawn at.
+        if constexpr (requires { k.anchorA; }) line = dots = {onA(k.anchorA), onB(k.anchorB)};
+    }
+    void operator()(const GrooveJoint& k)
+    {
+        line = {onA(k.start), onA(k.end)};
+        dots = {onB(k.anchorB)};
+    }
+    void operator()(const PulleyJoint& k)
+    {
+        line = dots = {onA(k.anchorA), inWorld(k.wheelA), inWorld(k.wheelB), onB(k.anchorB)};
+    }
+    void operator()(const TargetJoint& k) { line = dots = {inWorld(k.target), onB(k.anchor)}; }
+    void operator()(const GearJoint&)
+    {
+        line = {onA({}), onB({})};
+        isDashed = true;
+    }
+};
+
+Json jointJson(const Joint& joint, const std::vector<BodyId>& bodies)
+{
+    const auto placeOf = [&](BodyId body) {
+        return std::lower_bound(bodies.begin(), bodies.end(), body) - bodies.begin();
+    };
+    JointLine drawn{placeOf(joint.bodyA()), placeOf(joint.bodyB())};
+    std::visit(drawn, joint.kind());
+    if (!joint.isEnabled()) drawn.line = drawn.dots = Json::array();
+    return {{"line", drawn.line}, {"dots", drawn.dots}, {"dashed", drawn.isDashed}};
+}
+
 /// The text of JSON for inside a <script>: a name such as "</script>" must not end it.
 std::string scriptText(const Json& value)
 {
@@ -140,13 +184,17 @@ Json headJson(const Scene& scene, const ReplayTiming& timing)
     }
     head["bodies"] = Json::array();
     for (const BodyId id : scene.world->bodies()) head["bodies"].push_back(bodyJson(scene.world->body(id)));
+    const std::vector<BodyId> bodies = scene.world->bodies();
+    head["joints"] = Json::array();
+    for (const JointId id : scene.world->joints())
+        head["joints"].push_back(jointJson(scene.world->joint(id), bodies));
     return head;
 }
 
 }  // namespace
 
 Replay::Replay(const Scene& scene, const ReplayTiming& timing)
-    : timing_(timing), bodies_(scene.world->bodies()), states_(bodies_.size())
+    : timing_(timing), bodies_(scene.world->bodies()), joints_(scene.world->joints()), states_(bodies_.size())
 {
     head_ = scriptText(headJson(scene, timing));
     head_.pop_back();  // its closing brace comes after the frames
@@ -160,6 +208,12 @@ void Replay::add(const World& world)
 {
     ++step_;
     noteHits(world);
+    for (const BreakEvent& event : world.events().breaks) {
+        const auto place = std::lower_bound(joints_.begin(), joints_.end(), event.joint) - joints_.begin();
+        fmt::format_to(std::back_inserter(breaks_), "[{},", place);
+        appendShort(breaks_, world.time(), 9);
+        breaks_ += "],";
+    }
     if (step_ % stride_ == 0) addFrame(world);
     if (bytes_ > kMostBytes) thinOut();
 }
@@ -266,7 +320,8 @@ void Replay::write(OutputFile& file, const World& world)
         dropComma(frames_[i].hits);
         out << (i == 0 ? "\n" : ",\n") << frames_[i].state << ",\"hits\":[" << frames_[i].hits << "]}";
     }
-    out << "\n]}" << page.substr(place + kPlace.size());
+    dropComma(breaks_);
+    out << "\n],\"breaks\":[" << breaks_ << "]}" << page.substr(place + kPlace.size());
 }
 
 }  // namespace tamias2d::cli::TAMIAS_PRECISION

@@ -21,9 +21,11 @@ struct ReplayTiming {
 ///
 ///     {"title", "precision", "rate", "substeps", "version", "dt", "view": {"lower", "upper"},
 ///      "bodies": [{"name", "type", "shapes": [{"kind", "points", "radius"}]}],
+///      "joints": [{"line": [[body or -1, x, y], ...], "dots": [likewise], "dashed"}],
 ///      "frames": [{"t", "poses": [x, y, angle, ...], "velocities": [vx, vy, w, ...],
 ///                  "contacts": [[x, y, nx, ny, impulse], ...], "hits": [likewise, of the steps since the
-///                  last frame], "energy": [kinetic, potential, total], "momentum": [px, py, L]}]}
+///                  last frame], "energy": [kinetic, potential, total], "momentum": [px, py, L]}],
+///      "breaks": [[joint, t], ...]}
 ///
 /// A recording has at most kMostFrames, and fewer if its bodies are many: then steps are left out
 /// evenly. The last state is always there.
@@ -48,9 +50,11 @@ private:
     std::string head_;  ///< the object up to the frames
     ReplayTiming timing_;
     std::vector<BodyId> bodies_;
+    std::vector<JointId> joints_;
     std::vector<BodyState> states_;
     std::vector<Frame> frames_;
     std::string hits_;          ///< since the last frame
+    std::string breaks_;        ///< of joints, without the brackets
     std::int64_t stride_ = 1;   ///< steps from frame to frame
     std::int64_t step_ = 0;
     std::int64_t framedStep_ = 0;

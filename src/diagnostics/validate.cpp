@@ -130,6 +130,51 @@ void validateShapes(const ShapeTable& shapes, const BodyTable& bodies, Faults& f
 
 namespace {
 
+void validateJointState(const JointRow& j, Faults& faults)
+{
+    faults.that(!j.broken || !j.def.enabled, "broken", j.broken, "must not be of a joint that is enabled");
+    faults.range("stiffSteps", j.stiffSteps, 0, 1000, "must be in [0, 1000]");
+    faults.finite("angle", j.angle);
+    faults.finite("angleA", j.angleA);
+    faults.finite("notch", j.notch);
+    for (const real impulse : j.impulses) faults.finite("impulses", impulse);
+    for (int i = JointSlot::kLower; i < JointSlot::kLower + JointSlot::kLimits; ++i)
+        faults.that(j.impulses[i] >= 0, "impulses", j.impulses[i], "must not pull of a limit");
+    faults.finite("stepImpulse", j.stepImpulse);
+    faults.finite("stepTurn", j.stepTurn);
+    faults.finite("stepWork", j.stepWork);
+}
+
+}  // namespace
+
+void validateJoints(const JointTable& joints, const BodyTable& bodies, Faults& faults)
+{
+    validateIds(joints.ids, "joints", joints.rows.size(), faults);
+    faults.that(joints.ofBody.size() == bodies.rows.size(), "ofBody", joints.ofBody.size(),
+                "must be one list a body");
+    const auto timesListed = [&](std::uint32_t body, std::uint32_t joint) {
+        if (body >= joints.ofBody.size()) return std::ptrdiff_t{0};
+        return std::count(joints.ofBody[body].begin(), joints.ofBody[body].end(), joint);
+    };
+    for (std::uint32_t slot = 0; slot < joints.rows.size(); ++slot) {
+        if (!joints.ids.isAlive(slot)) continue;
+        const JointRow& j = joints.rows[slot];
+        faults.at("joints", slot);
+        for (const auto& [id, body] : {std::pair{j.def.bodyA, j.bodyA}, {j.def.bodyB, j.bodyB}}) {
+            faults.that(bodies.ids.owns(id) && id.index == body, "body", body, "must be a live body");
+            faults.that(timesListed(body, slot) == 1, "ofBody", body, "must list it once");
+        }
+        faults.that(j.bodyA != j.bodyB, "body", j.bodyB, "must be another one");
+        validateJointState(j, faults);
+    }
+    std::size_t listed = 0;
+    for (const std::vector<std::uint32_t>& list : joints.ofBody) listed += list.size();
+    faults.at("joints", 0);
+    faults.that(listed == 2 * joints.ids.alive(), "ofBody", listed, "must be two for each live joint");
+}
+
+namespace {
+
 void validateContact(const Contact& c, Faults& faults)
 {
     faults.range("count", c.count, 0, 2, "must be in [0, 2]");

@@ -4,6 +4,7 @@
 #include "diagnostics/faults.hpp"
 #include "model/bodies.hpp"
 #include "model/contacts.hpp"
+#include "model/joints.hpp"
 #include "model/motion.hpp"
 #include "model/shapes.hpp"
 #include "model/sleep.hpp"
@@ -37,6 +38,9 @@ void validateShapes(const ShapeTable& shapes, const BodyTable& bodies, Faults& f
 /// normals of length 1, impulses that push and stay within Coulomb's cone.
 void validateContacts(std::span<const Contact> contacts, bool sorted, const ShapeTable& shapes,
                       Faults& faults);
+
+/// Each live joint ties two live bodies, which know it; what it carries and counts are numbers.
+void validateJoints(const JointTable& joints, const BodyTable& bodies, Faults& faults);
 
 /// Bodies of a sleeping group know it, and are still; what touches them sleeps with them or cannot move.
 void validateSleep(const SleepTable& asleep, const BodyTable& bodies, const ShapeTable& shapes,

@@ -30,6 +30,14 @@ void validateConvex(const ShapeRow& s, Vec2 center, Faults& faults)
                 "convex.extent", s.convex.extent, "must be that of its geometry about the center of mass");
 }
 
+// What the setters let pass is what creation would.
+void validateJointDef(const JointDef& def, std::size_t slot, real lengthUnit, Faults& faults)
+{
+    faults.at("joints", slot);
+    for (const Complaint& wrong : {check(def.kind, lengthUnit), check(def.breaking)})
+        faults.that(!wrong, "def", slot, wrong ? std::string_view(wrong->what()) : std::string_view());
+}
+
 void validateLaws(const std::vector<PlacedLaw>& laws, const IdPool<ForceLawId>& ids, const BodyTable& bodies,
                   Faults& faults)
 {
@@ -61,6 +69,10 @@ void World::Impl::validate(Faults& faults) const
         for (const std::uint32_t s : b.shapes) validateConvex(shapes.rows[s], b.localCenter, faults);
     }
     validateLaws(laws, lawIds, bodies, faults);
+    validateJoints(joints, bodies, faults);
+    for (std::uint32_t slot = 0; slot < joints.rows.size(); ++slot)
+        if (joints.ids.isAlive(slot))
+            validateJointDef(joints.rows[slot].def, slot, settings.lengthUnit, faults);
     validateContacts(contacts.rows, contactsAreSorted, shapes, faults);
     validateSleep(asleep, bodies, shapes, faults);
     // A shape destroyed and a group fallen asleep take the order with them; contacts that came in mid-step,

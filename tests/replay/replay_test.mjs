@@ -250,6 +250,26 @@ describe('known motions', () => {
     }
   }));
 
+  test('a joint is drawn between its anchors until it breaks, and not when told so', () => {
+    const file = join(folder, 'joints.html'), tied = [[6, 0, 0], [8, 0, 0]];  // crate to dumbbell
+    writeFileSync(file, pageOf({ ...sample(), joints: [{ line: tied, dots: tied, dashed: false }], breaks: [[0, 2]] }));
+    return withPage(file, {}, async (tab, api) => {
+      const ink = parseColor(await tab.evaluate(() => getComputedStyle(document.documentElement).getPropertyValue('--joint')));
+      const isDrawn = async frame => {
+        await api('setFrame', frame);
+        const a = await api('screenOf', 6), b = await api('screenOf', 8), shot = await screenshot(tab);
+        const x = (a.x + b.x) / 2, y = (a.y + b.y) / 2;
+        return [-1, 0, 1].some(dx => [-1, 0, 1].some(dy => colorGap(colorAt(shot, x + dx, y + dy), ink) < 60));
+      };
+      assert.equal(await isDrawn(0), true, 'at the start');
+      await tab.keyboard.press('j');
+      assert.equal(await isDrawn(0), false, 'switched off');
+      await tab.click('#joints');
+      assert.equal(await isDrawn(119), true, 'just before it breaks');
+      assert.equal(await isDrawn(121), false, 'broken');
+    });
+  });
+
   test('a turned rod is painted turned', () => withPage(samplePage, {}, async (tab, api) => {
     const rod = 5, [fill] = (await fillColors(tab)).slice(1, 2).map(parseColor);
     for (const frame of [0, 33, 75, 140]) {

@@ -7,6 +7,8 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -83,6 +85,10 @@ private:
             {"push on", 2, &S::pushOn},
             {"set gravity", 2, &S::setGravity},
             {"add or remove a force law", 1, &S::changeLaws},
+            {"create a joint", 5, &S::createJoint},
+            {"destroy a joint", 2, &S::destroyJoint},
+            {"give a joint another kind", 2, &S::setKind},
+            {"change a joint", 2, &S::changeJoint},
         };
         return all;
     }
@@ -167,6 +173,99 @@ private:
         def.material = anyMaterial();
         if (below(6) == 0) def.filter = anyFilter();
         return def;
+    }
+
+    bool isPushed(BodyId body) { return world_.body(body).type() == BodyType::Dynamic; }
+
+    Joint anyJoint()
+    {
+        const std::vector<JointId> ids = world_.joints();
+        if (ids.empty()) return {};
+        return world_.joint(ids[static_cast<std::size_t>(below(static_cast<int>(ids.size())))]);
+    }
+
+    Vec2 anyAnchor()
+    {
+        const double x = between(-0.5, 0.5);
+        return vec(x, between(-0.5, 0.5));
+    }
+    Vec2 anyAxis()
+    {
+        const double angle = between(0, 6);
+        return vec(std::cos(angle), std::sin(angle));
+    }
+    std::optional<JointLimits> anyLimits()
+    {
+        const double lower = between(-2, 0), upper = between(0, 2);
+        if (below(2) == 0) return std::nullopt;
+        return JointLimits{toReal(lower), below(4) == 0 ? kUnlimited : toReal(upper)};
+    }
+    std::optional<JointMotor> anyMotor()
+    {
+        const double speed = between(-5, 5), force = between(0, 50);
+        if (below(2) == 0) return std::nullopt;
+        return JointMotor{toReal(speed), below(4) == 0 ? kUnlimited : toReal(force)};
+    }
+    std::optional<JointSpring> anySpring(double rest)
+    {
+        const double frequency = between(0, 20), ratio = between(0, 2);
+        if (below(2) == 0) return std::nullopt;
+        return JointSpring{toReal(frequency), toReal(ratio), toReal(rest)};
+    }
+
+    JointKind anyKind()
+    {
+        const Vec2 a = anyAnchor(), b = anyAnchor(), axis = anyAxis();
+        const double angle = between(-3, 3), way = between(-1, 1),
+                     force = below(8) == 0 ? 1e30 : between(0, 100);
+        const std::optional<JointLimits> limits = anyLimits();
+        const std::optional<JointMotor> motor = anyMotor();
+        const std::optional<JointSpring> spring = anySpring(way), still = anySpring(0);
+        switch (below(15)) {
+        case 0:
+            return RevoluteJoint{a, b, angle, limits, motor, spring};
+        case 1: {
+            std::optional<JointLimits> lengths = limits;
+            if (lengths) lengths = JointLimits{0, lengths->upper + 1};
+            return DistanceJoint{a, b, toReal(0.5 + std::abs(way)), lengths, motor, anySpring(std::abs(way))};
+        }
+        case 2:
+            return PrismaticJoint{a, b, axis, angle, limits, motor, spring};
+        case 3:
+            return WeldJoint{a, b, angle, still, anySpring(0)};
+        case 4:
+            return TargetJoint{b,
+                               anyPlace(),
+                               below(2) == 0 ? std::optional<double>(angle) : std::nullopt,
+                               toReal(between(0.1, 30)),
+                               toReal(between(0, 2)),
+                               toReal(force),
+                               toReal(force)};
+        case 5:
+            return WheelJoint{a, b, axis, limits, motor, spring};
+        case 6:
+            return GrooveJoint{a, a + toReal(0.5 + std::abs(way)) * axis, b};
+        case 7:
+            return RotaryJoint{angle, limits, motor, spring};
+        case 8:
+            return RatchetJoint{angle, toReal(way < 0 ? way - 0.01 : way + 0.01)};
+        case 9:
+            return GearJoint{toReal(angle < 0 ? angle - 0.01 : angle + 0.01), angle};
+        case 10:
+            return RackJoint{a, b, axis, toReal(way < 0 ? way - 0.01 : way + 0.01), angle};
+        case 11: {
+            const Position one = anyPlace(), other = anyPlace();
+            return PulleyJoint{
+                a, b, one, other, toReal(between(0.2, 5)), toReal(between(2, 15)), below(2) == 0};
+        }
+        case 12:
+            return MotorJoint{
+                a, b, angle, still, anySpring(0), 5 * axis, toReal(angle), toReal(force), toReal(force)};
+        case 13:
+            return FrictionJoint{b, toReal(force), toReal(force)};
+        default:
+            return FilterJoint{};
+        }
     }
 
     // --- the operations
@@ -334,7 +433,10 @@ private:
         const real mass = body.mass();
         const Vec2 impulse = mass * anyVelocity();
         const double x = between(-0.2, 0.2);
-        if (body.inertia() > mass / 100) body.applyImpulse(impulse, body.centerOfMass() + DVec2{x, 0.1});
+        // Nor may it be as fast as can be, as one of locked axes whose joint leaves no other way than a spin.
+        const bool isRacing = length(body.linearVelocity()) > 1e5f || std::abs(body.angularVelocity()) > 1e5f;
+        if (!isRacing && body.inertia() > mass / 100)
+            body.applyImpulse(impulse, body.centerOfMass() + DVec2{x, 0.1});
     }
 
     void pushOn()
@@ -376,6 +478,67 @@ private:
         if (body.isAlive())
             laws_.push_back(below(2) == 0 ? body.addForceLaw(springTo(anyPlace(), 1, 0.1))
                                           : world_.addForceLaw(drag(0.1, 0.01)));
+    }
+
+    // Walls hold joints, too.
+    void createJoint()
+    {
+        constexpr std::size_t kMostJoints = 40;
+        const std::vector<BodyId> ids = world_.bodies();
+        const BodyId a = ids[static_cast<std::size_t>(below(static_cast<int>(ids.size())))];
+        const Body b = anyBody();
+        JointDef def;
+        def.kind = anyKind();
+        def.collideConnected = below(3) == 0;
+        def.enabled = below(8) != 0;
+        if (below(4) == 0) def.breaking.force = toReal(between(1, 500));
+        if (below(8) == 0) def.breaking.error = toReal(between(0.01, 1));
+        if (!b.isAlive() || a == b.id() || world_.jointCount() >= kMostJoints) return;
+        def.bodyA = below(2) == 0 ? a : b.id();
+        def.bodyB = def.bodyA == a ? b.id() : a;
+        if (isPushed(a) || isPushed(b.id()))
+            world_.createJoint(def);
+        else
+            EXPECT_THROW(world_.createJoint(def), InputError);
+    }
+
+    void destroyJoint()
+    {
+        Joint joint = anyJoint();
+        if (joint.isAlive()) joint.destroy();
+    }
+
+    void setKind()
+    {
+        Joint joint = anyJoint();
+        const JointKind kind = anyKind();
+        if (joint.isAlive()) joint.setKind(kind);
+    }
+
+    void changeJoint()
+    {
+        Joint joint = anyJoint();
+        if (!joint.isAlive()) return;
+        switch (below(4)) {
+        case 0:
+            joint.setEnabled(!joint.isEnabled());
+            break;
+        case 1:
+            joint.setCollideConnected(below(2) == 0);
+            break;
+        case 2:
+            joint.setBreaking({.torque = toReal(between(1, 500))});
+            break;
+        default:
+            // Bodies may have become static since.
+            if (isPushed(joint.bodyA()) || isPushed(joint.bodyB())) {
+                const JointDef twin = world_.createJoint(joint.definition()).definition();
+                EXPECT_EQ(twin.kind.index(), joint.kind().index());
+            }
+            break;
+        }
+        const JointReading reading = joint.reading();
+        EXPECT_TRUE(isFinite(reading.force) && std::isfinite(reading.torque) && std::isfinite(reading.error));
     }
 
     Random random_;

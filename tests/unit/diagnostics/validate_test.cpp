@@ -19,6 +19,7 @@ struct Tables {
     BodyTable bodies{1};
     ShapeTable shapes{1};
     ContactTable contacts;
+    JointTable joints{1};
     MotionTable motions;
     std::vector<TouchEvent> begins;
     std::vector<HitEvent> hits;
@@ -33,6 +34,8 @@ struct Tables {
         addContact(0, 1, 0);
         addContact(1, 2, 1);
         contacts.colorEnds = {1, 2, 2};
+        addJoint(0, 1);
+        addJoint(1, 2);
         begins = {touch(0, 1), touch(1, 2)};
         hits.resize(2);
         for (HitEvent& hit : hits) {
@@ -48,6 +51,7 @@ struct Tables {
         validateBodies(bodies, shapes, 1, faults);
         validateShapes(shapes, bodies, faults);
         validateContacts(contacts.rows, true, shapes, faults);
+        validateJoints(joints, bodies, faults);
         validateOrder(contacts, motions, faults);
         validateEvents({begins, {}, hits}, faults);
         return faults.found();
@@ -88,6 +92,19 @@ private:
         c.points[0].tangentImpulse = 1;
         contacts.rows.push_back(c);
         contacts.order.push_back(place);
+    }
+
+    void addJoint(std::uint32_t a, std::uint32_t b)
+    {
+        const JointId id = joints.ids.take();
+        JointRow& j = joints.rows.emplace_back();
+        j.def.bodyA = bodies.ids.id(a);
+        j.def.bodyB = bodies.ids.id(b);
+        j.bodyA = a;
+        j.bodyB = b;
+        joints.ofBody.resize(4);
+        joints.ofBody[a].push_back(id.index);
+        joints.ofBody[b].push_back(id.index);
     }
 
     TouchEvent touch(std::uint32_t a, std::uint32_t b) const
@@ -170,6 +187,29 @@ TEST(Validate, TellsWhatIsWrongWithShapes)
              t.shapes.rows[1].convex = makeConvex(makeBox(1, 1), {}, {}, {});
              t.shapes.rows[1].convex.normals[2] = {};
          }},
+    });
+}
+
+TEST(Validate, TellsWhatIsWrongWithJoints)
+{
+    TRACES("LC3", "R4", "ADR4");
+    expectTold({
+        {"joints[1].body = 3: must be a live body", [](Tables& t) { t.joints.rows[1].bodyB = 3; }},
+        {"joints[1].body = 2: must be a live body",
+         [](Tables& t) { t.joints.rows[1].def.bodyB = t.bodies.ids.id(0); }},
+        {"joints[1].body = 1: must be another one", [](Tables& t) { t.joints.rows[1].bodyB = 1; }},
+        {"joints[0].ofBody = 0: must list it once", [](Tables& t) { t.joints.ofBody[0].clear(); }},
+        {"joints[0].ofBody = 0: must list it once", [](Tables& t) { t.joints.ofBody[0].push_back(0); }},
+        {"joints[0].ofBody = 5: must be two for each live joint",
+         [](Tables& t) { t.joints.ofBody[2].push_back(7); }},
+        {"ofBody = 3: must be one list a body", [](Tables& t) { t.joints.ofBody.resize(3); }},
+        {"joints[0].angle = nan: must be finite", [](Tables& t) { t.joints.rows[0].angle = kNan; }},
+        {"joints[0].notch", [](Tables& t) { t.joints.rows[0].notch = kNan; }},
+        {"joints[0].impulses", [](Tables& t) { t.joints.rows[0].impulses[0] = kNan; }},
+        {"joints[1].impulses = -1: must not pull of a limit",
+         [](Tables& t) { t.joints.rows[1].impulses[JointSlot::kUpper] = -1; }},
+        {"joints[0].broken = 1: must not be of a joint that is enabled",
+         [](Tables& t) { t.joints.rows[0].broken = true; }},
     });
 }
 
