@@ -4,10 +4,19 @@
 #include <tamias2d/geometry/aabb.hpp>
 #include <tamias2d/math/scalar.hpp>
 
-#include <cmath>
+#include <bit>
+#include <cstdint>
 #include <limits>
 
 namespace tamias2d::inline TAMIAS_PRECISION {
+
+/// The greatest float below a finite one.
+inline float nextBelow(float x)
+{
+    const auto bits = std::bit_cast<std::uint32_t>(x);
+    if (x == 0) return -std::numeric_limits<float>::denorm_min();
+    return std::bit_cast<float>(x > 0 ? bits - 1 : bits + 1);
+}
 
 /// The greatest float at most `x`. What is no number is bounded by the greatest ones, so that an order of
 /// boxes stays one.
@@ -17,7 +26,7 @@ inline float floatBelow(double x)
     constexpr double kMost = static_cast<double>(kFloatMax);
     if (!(x > -kMost)) return -kFloatMax;
     const float rounded = static_cast<float>(minimum(x, kMost));
-    return static_cast<double>(rounded) <= x ? rounded : std::nextafter(rounded, -kFloatMax);
+    return static_cast<double>(rounded) <= x ? rounded : nextBelow(rounded);
 }
 inline float floatAbove(double x)
 {

@@ -37,20 +37,29 @@ PlacedPoint placePoint(const Contact& contact, Vec2 n, const ManifoldPoint& anch
     return placed;
 }
 
-void prepareContact(Contact& contact, const Motion& a, const Motion& b)
+void placeContact(Contact& contact, const Motion& a, const Motion& b)
 {
     const Vec2 d = toVec2(b.center - a.center);
     if (contact.count == 1 && normalTurns(contact, contact.points[0].anchor))
         contact.normal = normalOf(contact, contact.points[0].anchor, a.rotation, b.rotation, d);
-    const Vec2 n = contact.normal, t = perpendicular(n);
     for (int i = 0; i < contact.count; ++i) {
         ContactPointRow& point = contact.points[i];
-        const PlacedPoint placed = placePoint(contact, n, point.anchor, a.rotation, b.rotation, d);
+        const PlacedPoint placed =
+            placePoint(contact, contact.normal, point.anchor, a.rotation, b.rotation, d);
         point.armA = placed.armA;
         point.armB = placed.armB;
         point.gap = placed.gap;
-        point.normalMass = compliance(a, placed.armA, n) + compliance(b, placed.armB, n);
-        point.tangentMass = compliance(a, placed.armA, t) + compliance(b, placed.armB, t);
+    }
+}
+
+void prepareContact(Contact& contact, const Motion& a, const Motion& b)
+{
+    placeContact(contact, a, b);
+    const Vec2 n = contact.normal, t = perpendicular(n);
+    for (int i = 0; i < contact.count; ++i) {
+        ContactPointRow& point = contact.points[i];
+        point.normalMass = compliance(a, point.armA, n) + compliance(b, point.armB, n);
+        point.tangentMass = compliance(a, point.armA, t) + compliance(b, point.armB, t);
     }
 }
 

@@ -29,7 +29,9 @@ bool normalTurns(const Contact& contact, const ManifoldPoint& anchor);
 PlacedPoint placePoint(const Contact& contact, Vec2 normal, const ManifoldPoint& anchor, Rot qA, Rot qB,
                        Vec2 d);
 
-/// Arms, gaps and effective masses at the present poses.
+/// Normal, arms and gaps at the present poses.
+void placeContact(Contact& contact, const Motion& a, const Motion& b);
+/// The same, and effective masses.
 void prepareContact(Contact& contact, const Motion& a, const Motion& b);
 
 /// Speed at which the point may still close: as far as its gap within the tick, and no further.   [m/s]

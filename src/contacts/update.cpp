@@ -3,16 +3,15 @@
 
 namespace tamias2d::inline TAMIAS_PRECISION {
 
-// The deceleration -c v of damping holds for times well below 1/c only. Held at what takes all speed away in
-// a tick, it leaves the path of a strongly damped body longer than it is, rather than backwards without end.
 Vec2 expectedAcceleration(const Motion& m, real invH)
 {
-    return m.acceleration - minimum(m.damping.rate, invH) * m.velocity + invH * m.steady;
+    return {expectedRate(m.acceleration.x, m.damping, m.velocity.x, m.steady.x, invH),
+            expectedRate(m.acceleration.y, m.damping, m.velocity.y, m.steady.y, invH)};
 }
 
 real expectedSpinRate(const Motion& m, real invH)
 {
-    return m.spinRate - minimum(m.spinDamping.rate, invH) * m.spin + invH * m.steadySpin;
+    return expectedRate(m.spinRate, m.spinDamping, m.spin, m.steadySpin, invH);
 }
 
 Trajectory predictedPath(const Motion& m, Position origin, real invH)

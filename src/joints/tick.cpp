@@ -278,11 +278,11 @@ void spreadLoad(JointSystem& system, std::vector<Motion>& rows)
     if (system.empty()) return;
     std::fill(system.wholeGroups.begin(), system.wholeGroups.end(), std::uint8_t{0});
     for (std::size_t i = 0; i < rows.size(); ++i)
-        if (rows[i].loaded && system.groupOf[i] != JointSystem::kNone)
+        if (rows[i].isLoaded() && system.groupOf[i] != JointSystem::kNone)
             system.wholeGroups[system.groupOf[i]] = 1;
     for (std::size_t i = 0; i < rows.size(); ++i)
         if (system.groupOf[i] != JointSystem::kNone && system.wholeGroups[system.groupOf[i]])
-            rows[i].loaded = true;
+            rows[i].load = 1;
     for (JointRows& joint : system.joints) joint.whole = system.wholeGroups[joint.group] != 0;
 }
 

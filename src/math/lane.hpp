@@ -7,6 +7,10 @@
 #include <cstdint>
 #include <type_traits>
 
+#if defined(__x86_64__)
+#include <immintrin.h>
+#endif
+
 /// For kernels: what is inline in them leaves no function behind that could be called from code for another
 /// instruction set, and keeps lanes in registers.
 #define TAMIAS_INLINE [[gnu::always_inline]] inline
@@ -17,6 +21,10 @@ namespace tamias2d::inline TAMIAS_PRECISION {
 // parameter.
 template <class T, int Bytes>
 struct VectorOf;
+template <class T>
+struct VectorOf<T, 8> {
+    typedef T Type __attribute__((vector_size(8)));
+};
 template <class T>
 struct VectorOf<T, 16> {
     typedef T Type __attribute__((vector_size(16)));
@@ -65,6 +73,7 @@ struct alignas(W * sizeof(real)) Lane {
     friend LaneMask<W> operator<(Lane a, Lane b) { return {a.v < b.v}; }
     friend LaneMask<W> operator>(Lane a, Lane b) { return {a.v > b.v}; }
     friend LaneMask<W> operator>=(Lane a, Lane b) { return {a.v >= b.v}; }
+    friend LaneMask<W> operator==(Lane a, Lane b) { return {a.v == b.v}; }
 };
 
 /// One lane is one number: g++ 12 loses stores of vectors of one element.
@@ -96,6 +105,7 @@ struct Lane<1> {
     friend LaneMask<1> operator<(Lane a, Lane b) { return {{a.v[0] < b.v[0] ? -1 : 0}}; }
     friend LaneMask<1> operator>(Lane a, Lane b) { return {{a.v[0] > b.v[0] ? -1 : 0}}; }
     friend LaneMask<1> operator>=(Lane a, Lane b) { return {{a.v[0] >= b.v[0] ? -1 : 0}}; }
+    friend LaneMask<1> operator==(Lane a, Lane b) { return {{a.v[0] == b.v[0] ? -1 : 0}}; }
 };
 
 /// `a` where the condition holds, else `b`.
@@ -107,36 +117,67 @@ Lane<W> select(LaneMask<W> condition, Lane<W> a, Lane<W> b)
     else
         return Lane<W>(condition.v ? a.v : b.v);
 }
-inline real select(bool condition, real a, real b)
+template <class T>
+    requires std::is_floating_point_v<T>
+T select(bool condition, T a, T b)
 {
     return condition ? a : b;
 }
 
-template <int W>
-bool any(LaneMask<W> mask)
-{
-    typename LaneMask<W>::Integer sum = 0;
-    for (int i = 0; i < W; ++i) sum |= mask.v[i];
-    return sum != 0;
-}
-inline bool any(bool mask)
-{
-    return mask;
-}
-
 /// The truths as bits, lane 0 lowest.
 template <int W>
-std::uint32_t bitsOf(LaneMask<W> mask)
+TAMIAS_INLINE std::uint32_t bitsOf(LaneMask<W> mask)
 {
+#if defined(__x86_64__)
+    if constexpr (W > 1 && sizeof mask.v == 16) {
+        if constexpr (sizeof(real) == 4)
+            return static_cast<std::uint32_t>(_mm_movemask_ps((__m128)mask.v));
+        else
+            return static_cast<std::uint32_t>(_mm_movemask_pd((__m128d)mask.v));
+    }
+#if defined(__AVX2__)
+    if constexpr (sizeof mask.v == 32) {
+        if constexpr (sizeof(real) == 4)
+            return static_cast<std::uint32_t>(_mm256_movemask_ps((__m256)mask.v));
+        else
+            return static_cast<std::uint32_t>(_mm256_movemask_pd((__m256d)mask.v));
+    }
+#endif
+#if defined(__AVX512DQ__)
+    if constexpr (sizeof mask.v == 64) {
+        if constexpr (sizeof(real) == 4)
+            return _mm512_movepi32_mask((__m512i)mask.v);
+        else
+            return _mm512_movepi64_mask((__m512i)mask.v);
+    }
+#endif
+#endif
     std::uint32_t bits = 0;
     for (int i = 0; i < W; ++i) bits |= (mask.v[i] != 0 ? 1u : 0u) << i;
     return bits;
 }
 template <int W>
-LaneMask<W> maskOf(std::uint32_t bits)
+TAMIAS_INLINE LaneMask<W> maskOf(std::uint32_t bits)
 {
     LaneMask<W> mask{};
-    for (int i = 0; i < W; ++i) mask.v[i] = (bits >> i & 1u) != 0 ? -1 : 0;
+    using Integer = typename LaneMask<W>::Integer;
+    if constexpr (W == 1) {
+        mask.v[0] = (bits & 1u) != 0 ? -1 : 0;
+    } else {
+        typename LaneMask<W>::Vector each{};
+        for (int i = 0; i < W; ++i) each[i] = Integer{1} << i;
+        mask.v = (each & static_cast<Integer>(bits)) != 0;
+    }
+    return mask;
+}
+
+template <int W>
+TAMIAS_INLINE bool any(LaneMask<W> mask)
+{
+    return bitsOf(mask) != 0;
+}
+inline bool any(bool mask)
+{
     return mask;
 }
 
@@ -173,8 +214,11 @@ Lane<W> clamp(Lane<W> a, Lane<W> low, Lane<W> high)
     return select(a < low, low, select(a > high, high, a));
 }
 
+/// Numbers that 16, 32 and 64 bytes hold.
+inline constexpr int kLanes16 = 16 / sizeof(real), kLanes32 = 32 / sizeof(real), kLanes64 = 64 / sizeof(real);
+
 /// Lanes that SSE2, NEON and the SIMD of wasm have: 16 bytes.
-inline constexpr int kLanes = 16 / sizeof(real);
+inline constexpr int kLanes = kLanes16;
 
 /// The reals from `from` on.
 template <int W = kLanes>
@@ -232,9 +276,11 @@ void loadColumns(const real* const (&rows)[W], Lane<W>* columns)
     }
 }
 
-/// Four reals that are read and written together, as those of a body are.
-struct alignas(4 * sizeof(real)) LaneRow {
-    real x, y, z, w;
+/// Four numbers that are read and written together, as those of a body are.
+template <class T>
+struct alignas(4 * sizeof(T)) RowOf {
+    T x, y, z, w;
 };
+using LaneRow = RowOf<real>;
 
 }  // namespace tamias2d::inline TAMIAS_PRECISION

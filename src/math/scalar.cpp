@@ -5,6 +5,8 @@
 // Each function first brings its argument into a short interval and then sums the Taylor series
 // there, long enough that what is left out lies below half a unit in the last place.
 
+#include "math/turn_kernel.hpp"
+
 #include <tamias2d/math/scalar.hpp>
 
 #include <array>
@@ -17,15 +19,6 @@
 namespace tamias2d::inline TAMIAS_PRECISION {
 namespace {
 
-constexpr double kHalfPi = 1.57079632679489661923;
-
-// pi / 2 as a sum of three. The first two have 33 bits, so that n times each is exact for |n| < 2^20.
-constexpr double kHalfPi1 = 0x1.921fb544p+0;
-constexpr double kHalfPi2 = 0x1.0b4611a6p-34;
-constexpr double kHalfPi3 = 0x1.3198a2e037073p-69;
-constexpr double kTwoOverPi = 0x1.45f306dc9c883p-1;
-constexpr double kLargestShortAngle = 1e5;  // [rad]   |n| stays far below 2^20
-
 // The bits of 2 / pi behind the binary point, enough for the largest double.
 constexpr std::array<std::uint32_t, 37> kTwoOverPiBits = {
     0xa2f9836eu, 0x4e441529u, 0xfc2757d1u, 0xf534ddc0u, 0xdb629599u, 0x3c439041u, 0xfe5163abu, 0xdebbc561u,
@@ -34,19 +27,7 @@ constexpr std::array<std::uint32_t, 37> kTwoOverPiBits = {
     0xef2f118bu, 0x5a0a6d1fu, 0x6d367ecfu, 0x27cb09b7u, 0x4f463f66u, 0x9e5fea2du, 0x7527bac7u, 0xebe5f17bu,
     0x3d0739f7u, 0x8a5292eau, 0x6bfb5fb1u, 0x1f8d5d08u, 0x56033046u};
 
-// An angle as quarter turns plus a rest in about [-pi/4, pi/4].
-struct Reduced {
-    int quarter;  // 0 to 3
-    double rest;  // [rad]
-};
-
-Reduced reduceShort(double angle) noexcept
-{
-    const double quarters = angle * kTwoOverPi;
-    const auto n = static_cast<std::int64_t>(quarters + (quarters < 0 ? -0.5 : 0.5));
-    const double k = static_cast<double>(n);
-    return {static_cast<int>(n & 3), ((angle - k * kHalfPi1) - k * kHalfPi2) - k * kHalfPi3};
-}
+using Reduced = QuarterTurns<double, bool>;
 
 // The 32 bits of 2 / pi that follow bit `first`, counted from the binary point; before it all are 0.
 std::uint32_t bitsAfter(int first) noexcept
@@ -100,41 +81,13 @@ Reduced reduceLong(double angle) noexcept
         ++quarter;
     }
     const bool negative = angle < 0;
-    return {(negative ? -quarter : quarter) & 3, (negative ? -part : part) * kHalfPi};
+    const int turned = negative ? -quarter : quarter;
+    return {(turned & 1) != 0, (turned & 2) != 0, (negative ? -part : part) * kHalfPi};
 }
 
 Reduced reduce(double angle) noexcept
 {
-    return absolute(angle) < kLargestShortAngle ? reduceShort(angle) : reduceLong(angle);
-}
-
-// x - x^3/3! + ... - x^15/15!; what is left out is below 2^-54 for |x| <= pi/4.
-double sineSeries(double x) noexcept
-{
-    const double z = x * x;
-    double sum = -1.0 / 1307674368000.0;
-    sum = sum * z + 1.0 / 6227020800.0;
-    sum = sum * z - 1.0 / 39916800.0;
-    sum = sum * z + 1.0 / 362880.0;
-    sum = sum * z - 1.0 / 5040.0;
-    sum = sum * z + 1.0 / 120.0;
-    sum = sum * z - 1.0 / 6.0;
-    return x + x * (z * sum);
-}
-
-// 1 - x^2/2! + ... + x^16/16!; what is left out is below 2^-58 for |x| <= pi/4.
-double cosineSeries(double x) noexcept
-{
-    const double z = x * x;
-    double sum = 1.0 / 20922789888000.0;
-    sum = sum * z - 1.0 / 87178291200.0;
-    sum = sum * z + 1.0 / 479001600.0;
-    sum = sum * z - 1.0 / 3628800.0;
-    sum = sum * z + 1.0 / 40320.0;
-    sum = sum * z - 1.0 / 720.0;
-    sum = sum * z + 1.0 / 24.0;
-    sum = sum * z - 0.5;
-    return 1.0 + z * sum;
+    return absolute(angle) < kMostShortAngle ? reduceShort(angle) : reduceLong(angle);
 }
 
 // 2^k for -1022 <= k <= 1023.
@@ -151,19 +104,8 @@ SinCos sinCos(double angle) noexcept
         const double nan = std::numeric_limits<double>::quiet_NaN();
         return {nan, nan};
     }
-    const Reduced a = reduce(angle);
-    const double s = sineSeries(a.rest);
-    const double c = cosineSeries(a.rest);
-    switch (a.quarter) {
-    case 0:
-        return {s, c};
-    case 1:
-        return {c, -s};
-    case 2:
-        return {-s, -c};
-    default:
-        return {-c, s};
-    }
+    const SineCosine<double> both = sineCosineOf(reduce(angle));
+    return {both.sine, both.cosine};
 }
 
 double exponential(double x) noexcept
@@ -204,11 +146,7 @@ double wrapAngle(double angle) noexcept
     if (angle >= 0 && angle < kTwoPi) return angle + 0.0;  // makes 0 of -0
     if (!std::isfinite(angle)) return std::numeric_limits<double>::quiet_NaN();
 
-    const Reduced a = reduce(angle);
-    double wrapped = a.quarter * kHalfPi + a.rest;
-    if (wrapped < 0) wrapped += kTwoPi;
-    // Rounding may have put it on 2 pi, which is 0.
-    return wrapped < kTwoPi ? wrapped : 0.0;
+    return wrappedOf(reduce(angle));
 }
 
 }  // namespace tamias2d::inline TAMIAS_PRECISION

@@ -92,6 +92,10 @@ inline Motion motionOf(const BodyRow& b, std::uint32_t slot)
         if (b.lockY) m.velocity.y = 0;
         if (b.lockRotation) m.spin = 0;
     }
+    if (m.moves()) {
+        m.damping = b.linearDamping;
+        m.spinDamping = b.angularDamping;
+    }
     return m;
 }
 

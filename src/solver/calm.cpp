@@ -21,14 +21,11 @@ double inertiaOf(const Motion& m)
 void measureFreeIslands(const std::vector<Motion>& rows, const std::vector<TickChange>& changes,
                         const Islands& islands, CalmRows& calmRows)
 {
-    std::vector<FreeIsland>& free = calmRows.free;
+    std::vector<FreeIsland>& free = calmRows.islands;
     free.assign(islands.count(), {});
     const auto each = [&](auto&& visit) {
-        for (const std::uint32_t i : calmRows.rows) {
-            const std::uint32_t island = islands.islandOf[i];
-            if (islands.groundOf[island] != Islands::kNone) continue;
-            if (rows[i].isFree()) visit(free[island], rows[i], changes[i]);
-        }
+        for (const std::uint32_t i : calmRows.floating)
+            if (rows[i].isFree()) visit(free[islands.islandOf[i]], rows[i], changes[i]);
     };
     each([](FreeIsland& island, const Motion& m, const TickChange& change) {
         if (!island.started) island.first = m.center;
@@ -62,49 +59,38 @@ void measureFreeIslands(const std::vector<Motion>& rows, const std::vector<TickC
     }
 }
 
-CalmReference motionOfGround(const Motion& ground)
-{
-    CalmReference reference;
-    reference.center = ground.center;
-    reference.velocity = ground.velocity;
-    reference.spin = ground.spin;
-    return reference;
-}
-
 }  // namespace
 
 void findCalmRows(const Islands& islands, CalmRows& found)
 {
-    found.rows.clear();
-    found.anyFree = false;
+    found.grounded.clear();
+    found.floating.clear();
     for (std::uint32_t i = 0; i < islands.islandOf.size(); ++i) {
         const std::uint32_t island = islands.islandOf[i];
         if (island == Islands::kNone || islands.sizeOf[island] < 2) continue;  // a lone body is calm
         const std::uint32_t ground = islands.groundOf[island];
         if (ground == Islands::kSeveral) continue;  // no one motion to come to rest against
-        found.rows.push_back(i);
-        found.anyFree = found.anyFree || ground == Islands::kNone;
+        if (ground == Islands::kNone)
+            found.floating.push_back(i);
+        else
+            found.grounded.push_back({i, ground});
     }
 }
 
-void calm(std::vector<Motion>& rows, const std::vector<TickChange>& changes, const Islands& islands,
-          CalmRows& calmRows, const StepContext& context)
+void calmFloating(std::vector<Motion>& rows, const std::vector<TickChange>& changes, const Islands& islands,
+                  CalmRows& calmRows, const StepContext& context)
 {
-    const real rate = context.tuning.calmRate;
-    if (!(rate > 0)) return;
-    std::vector<FreeIsland>& free = calmRows.free;
-    if (calmRows.anyFree) measureFreeIslands(rows, changes, islands, calmRows);
+    if (calmRows.floating.empty()) return;
+    std::vector<FreeIsland>& free = calmRows.islands;
+    measureFreeIslands(rows, changes, islands, calmRows);
 
-    for (const std::uint32_t i : calmRows.rows) {
+    for (const std::uint32_t i : calmRows.floating) {
         Motion& m = rows[i];
-        if (!m.loaded) continue;
-        const std::uint32_t island = islands.islandOf[i];
-        const std::uint32_t ground = islands.groundOf[island];
-        const bool isFree = ground == Islands::kNone;
-        if (isFree && !m.isFree()) continue;   // its momentum could not be given back
-        const CalmReference reference = isFree ? free[island].motion : motionOfGround(rows[ground]);
+        if (!m.isLoaded() || !m.isFree()) continue;  // a locked one's momentum could not be given back
+        FreeIsland& island = free[islands.islandOf[i]];
+        const CalmReference& reference = island.motion;
 
-        // Motion against the reference, and whether its kinetic energy rises.
+        // Motion against the island's, and whether its kinetic energy rises.
         const Vec2 r = toVec2(m.center - reference.center);
         const Vec2 u = m.velocity - reference.velocity - cross(reference.spin, r);
         const real w = m.spin - reference.spin;
@@ -115,23 +101,19 @@ void calm(std::vector<Motion>& rows, const std::vector<TickChange>& changes, con
         const real speed = (length(u) + absolute(w) * m.extent) / context.calmSpeed();
         if (power > 0 || speed >= 1) continue;
 
-        const real part = rate * (1 - speed * speed);
-        m.velocity -= {m.invMass.x > 0 ? part * u.x : real(0), m.invMass.y > 0 ? part * u.y : real(0)};
+        const real part = context.tuning.calmRate * (1 - speed * speed);
+        m.velocity -= part * u;
         if (m.invInertia > 0) m.spin -= part * w;
-        if (!isFree) continue;
-        free[island].lost += mass * static_cast<double>(part) * toDVec2(u);
-        free[island].lostSpin += static_cast<double>(part) *
-                                 (mass * static_cast<double>(cross(r, u)) + inertia * static_cast<double>(w));
+        island.lost += mass * static_cast<double>(part) * toDVec2(u);
+        island.lostSpin += static_cast<double>(part) *
+                           (mass * static_cast<double>(cross(r, u)) + inertia * static_cast<double>(w));
     }
 
-    // What an island without a ground lost comes back as a rigid motion of the whole.
-    if (!calmRows.anyFree) return;
-    for (const std::uint32_t i : calmRows.rows) {
+    // What an island lost comes back as a rigid motion of the whole.
+    for (const std::uint32_t i : calmRows.floating) {
         Motion& m = rows[i];
-        const std::uint32_t island = islands.islandOf[i];
-        if (islands.groundOf[island] != Islands::kNone || !m.isFree()) continue;
-        const FreeIsland& f = free[island];
-        if (!(f.mass > 0) || !(f.inertia > 0)) continue;
+        const FreeIsland& f = free[islands.islandOf[i]];
+        if (!m.isFree() || !(f.mass > 0) || !(f.inertia > 0)) continue;
         const Vec2 r = toVec2(m.center - f.motion.center);
         const real turn = static_cast<real>(f.lostSpin / f.inertia);
         m.velocity += toVec2((1 / f.mass) * f.lost) + cross(turn, r);

@@ -4,16 +4,11 @@
 #include "islands/links.hpp"
 #include "model/motion.hpp"
 #include "model/step_context.hpp"
+#include "solver/tick_rows.hpp"
 
 #include <vector>
 
 namespace tamias2d::inline TAMIAS_PRECISION {
-
-/// Velocity change of one body by contacts and forces in a tick.
-struct TickChange {
-    Vec2 velocity;   // [m/s]
-    real spin = 0;   // [rad/s]
-};
 
 /// A rigid motion, and how it changed in the tick.
 struct CalmReference {
@@ -35,18 +30,23 @@ struct FreeIsland {
     double lostSpin = 0;         // angular momentum about the center
 };
 
+/// A body, and the one it comes to rest against, by their rows.
+struct CalmPair {
+    std::uint32_t row, ground;
+};
+
 /// The bodies that calming may concern, of a step: those of islands of more than one body, with one motion to
 /// come to rest against.
 struct CalmRows {
-    std::vector<std::uint32_t> rows;
-    bool anyFree = false;  // is there an island among them that stands on nothing?
-    std::vector<FreeIsland> free;  // by island, scratch
+    std::vector<CalmPair> grounded;  // those whose island stands on one ground
+    std::vector<std::uint32_t> floating;  // those whose island stands on nothing
+    std::vector<FreeIsland> islands;  // by island, scratch
 };
 void findCalmRows(const Islands& islands, CalmRows& found);
 
-/// Slows loaded bodies that are already slow and not speeding up, against the ground their island
-/// stands on, or against the island's own motion, whose momentum is kept. docs/theory/calm.md.
-void calm(std::vector<Motion>& rows, const std::vector<TickChange>& changes, const Islands& islands,
-          CalmRows& calmRows, const StepContext& context);
+/// Slows loaded bodies that are already slow and not speeding up, where their island stands on nothing:
+/// against the island's own motion, whose momentum is kept. docs/theory/calm.md.
+void calmFloating(std::vector<Motion>& rows, const std::vector<TickChange>& changes, const Islands& islands,
+                  CalmRows& calmRows, const StepContext& context);
 
 }  // namespace tamias2d::inline TAMIAS_PRECISION

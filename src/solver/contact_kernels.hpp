@@ -39,9 +39,6 @@ struct ContactKernels {
                       const StepContext& context);
 };
 
-/// Numbers that 16, 32 and 64 bytes hold.
-inline constexpr int kLanes16 = 16 / sizeof(real), kLanes32 = 32 / sizeof(real), kLanes64 = 64 / sizeof(real);
-
 extern template struct ContactKernels<1>;
 extern template struct ContactKernels<kLanes16>;
 extern template struct ContactKernels<kLanes32>;

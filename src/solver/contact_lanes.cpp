@@ -22,10 +22,6 @@ public:
     {
         return contact < laneOf_.size() && laneOf_[contact] != kNone;
     }
-    bool isInLane(std::uint32_t contact) const override
-    {
-        return hasLane(contact) && (blocks_[laneOf_[contact] / W].active >> (laneOf_[contact] % W) & 1u) != 0;
-    }
     void load(std::uint32_t contact, const Contact& row, const MotionTable& motions,
               const TickRows& rows) override;
     void unload(std::uint32_t contact, Contact& row) override;
@@ -244,7 +240,7 @@ void ContactLanesOf<W>::load(std::uint32_t contact, const Contact& c, const Moti
     b.row.surfaceSpeed.v[lane] = c.surfaceSpeed;
     b.row.blockInverse.v[lane] = 0;
     s.slowest.v[lane] = slowestInCrowd(c, context_);
-    setLane(s.start, lane, toVec2(rows.origins[c.rowB] - rows.origins[c.rowA]));
+    setLane(s.start, lane, toVec2(rows.origins[c.rowB].center - rows.origins[c.rowA].center));
     s.restGap.v[lane] = c.restGap;
     s.radiusA.v[lane] = c.radiusA;
     s.radiusB.v[lane] = c.radiusB;

@@ -30,7 +30,6 @@ public:
     virtual void build(const ContactTable& contacts, const MotionTable& motions, const Islands& islands,
                        const StepContext& context) = 0;
     virtual bool hasLane(std::uint32_t contact) const = 0;
-    virtual bool isInLane(std::uint32_t contact) const = 0;
     /// Takes the contact into its lane.
     virtual void load(std::uint32_t contact, const Contact& row, const MotionTable& motions,
                       const TickRows& rows) = 0;

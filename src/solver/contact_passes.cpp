@@ -39,6 +39,7 @@ void ContactPasses::begin(ContactTable& contacts, const MotionTable& motions, co
     for (std::uint32_t k = 0; k < contacts.order.size(); ++k) placeOf_[contacts.order[k]] = k;
     loose_.clear();
     isLoose_.resize(contacts.rows.size());
+    inLane_.assign(contacts.rows.size(), 0);
     parallel_.forEach(contacts.rows.size(), kGrain, [&](const Chunk& chunk) {
         for (std::size_t i = chunk.begin; i < chunk.end; ++i) {
             Contact& c = contacts.rows[i];
@@ -68,7 +69,7 @@ void ContactPasses::addLoose(std::uint32_t contact)
 
 void ContactPasses::take(std::uint32_t contact, ContactTable& contacts)
 {
-    if (lanes_->isInLane(contact)) lanes_->unload(contact, contacts.rows[contact]);
+    leaveLane(contact, contacts.rows[contact]);
     addLoose(contact);
 }
 
@@ -94,6 +95,7 @@ void ContactPasses::fillLanes(ContactTable& contacts, const MotionTable& motions
         if (isLoose_[i] != kPlain) continue;
         if (!many) lanes_->load(i, contacts.rows[i], motions, rows);
         isLoose_[i] = 0;
+        inLane_[i] = 1;
     }
 }
 
@@ -120,12 +122,19 @@ const std::vector<std::uint32_t>& ContactPasses::approaching(const TickRows& row
 void ContactPasses::loosen(std::uint32_t contact, ContactTable& contacts, const MotionTable& motions)
 {
     Contact& c = contacts.rows[contact];
-    if (lanes_->isInLane(contact)) {
-        lanes_->unload(contact, c);
+    if (leaveLane(contact, c)) {
         c.fastestImpact = 0;
         prepareLoose(c, motions);
     }
     addLoose(contact);
+}
+
+bool ContactPasses::leaveLane(std::uint32_t contact, Contact& c)
+{
+    if (contact >= inLane_.size() || inLane_[contact] == 0) return false;
+    inLane_[contact] = 0;
+    lanes_->unload(contact, c);
+    return true;
 }
 
 void ContactPasses::sortLoose()

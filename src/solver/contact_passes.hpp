@@ -64,12 +64,14 @@ private:
     const Islands* islands_ = nullptr;  // of the step
     std::vector<std::uint32_t> loose_;  // contacts out of their lanes that have points, in solving order
     std::vector<std::uint8_t> isLoose_;  // by contact: is it in that list?
+    std::vector<std::uint8_t> inLane_;  // by contact: is it in its lane?
     std::vector<std::uint32_t> placeOf_;  // by contact: in the order of solving
     std::vector<std::uint32_t> looseEnds_;  // by color of the lanes
     std::vector<std::uint32_t> colorEnds_;  // of those, in places
     std::vector<std::uint32_t> list_;
     std::vector<std::uint8_t> unrest_, unrestBefore_;  // by island
 
+    bool leaveLane(std::uint32_t contact, Contact& c);
     void addLoose(std::uint32_t contact);
     void fillLanes(ContactTable& contacts, const MotionTable& motions, const TickRows& rows);
     void sortLoose();

@@ -116,13 +116,6 @@ real refined(const Contact& c, const ManifoldPoint& anchor, const FlyingPair& pa
 
 }  // namespace
 
-real fastestPoint(const Motion& m, Vec2 acceleration, real spinRate, real h)
-{
-    const auto sum = [](Vec2 v) { return absolute(v.x) + absolute(v.y); };  // at least its length
-    const real extent = real(1.5) * m.extent;  // points lie a little beyond it, on the other surface
-    return sum(m.velocity) + h * sum(acceleration) + extent * (absolute(m.spin) + h * absolute(spinRate));
-}
-
 real travelWithin(const Flight& a, const Motion& ma, const Flight& b, const Motion& mb, real h)
 {
     const real turn = ma.extent * (absolute(a.spin) + h * absolute(a.spinRate)) +

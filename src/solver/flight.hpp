@@ -68,9 +68,6 @@ struct Impact {
     int point = 0;
 };
 
-/// A bound on the speed of any point of a body within a tick of length `h`.   [m/s]
-real fastestPoint(const Motion& m, Vec2 acceleration, real spinRate, real h);
-
 /// A bound on how far any two points of two bodies move against each other within `h`.   [m]
 real travelWithin(const Flight& a, const Motion& ma, const Flight& b, const Motion& mb, real h);
 

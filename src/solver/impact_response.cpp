@@ -13,7 +13,7 @@ void ImpactResponse::applyAt(const Contact& c, const PlacedPoint& place, Vec2 im
         const Motion& m = motion(row);
         if (!m.moves()) return;
         Flight& f = flights_[row];
-        ImpactKick& kick = stage_.kicks[row];
+        ImpactKick& kick = stage_.rows.kicks[row];
         const Vec2 dv{m.invMass.x * given.x, m.invMass.y * given.y};
         const real dw = m.invInertia * cross(arm, given);
         f.velocity += dv;

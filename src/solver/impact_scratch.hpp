@@ -57,14 +57,6 @@ private:
     std::vector<std::uint32_t> next_;   // by link
 };
 
-/// The way that the box of a body in the broad phase was made for, and how far the body may leave it.
-struct PredictedWay {
-    Vec2 velocity, acceleration;      // at the start of the step, and all along it   [m/s], [m/s^2]
-    real spin = 0, spinRate = 0;      // [rad/s], [rad/s^2]
-    real strayed = 0;                 // by turning, so far: no point of it by more   [m]
-    real slack = 0;                   // [m]
-};
-
 /// What the impact stage works with; it keeps its memory from step to step.
 struct ImpactScratch {
     ExpectedPaths paths;                     // of bodies within the tick, before any impact
@@ -75,13 +67,17 @@ struct ImpactScratch {
     std::vector<std::uint8_t> flies;         // by row: has its flight through this tick been asked for?
     std::vector<std::uint32_t> strays;       // rows that leave their boxes in this tick
     bool kicked = false;                     // has an impact acted in this tick?
+    struct Start {
+        real fastest;
+        std::size_t strays;
+    };
+    std::vector<Start> starts;               // of a tick, by chunk of the bodies
     real fastest = 0;                        // no point of any body is faster in the tick   [m/s]
     std::vector<ImpactPoint> points;         // two for each contact
     std::vector<bool> placed;                // by contact: have its points been placed?
     std::vector<std::uint32_t> versions;     // by contact
     bool connected = false;                  // have the chains been made in this step?
     ContactChains chains;                    // of bodies that move; made at the first impact of a step
-    std::vector<PredictedWay> predicted;     // by row; of the step
     std::vector<std::uint32_t> swept;        // contacts that are looked at again in every tick
     BoxTree tree;                            // over the boxes of the step; made when a body leaves its own
     std::vector<std::uint32_t> found;        // boxes

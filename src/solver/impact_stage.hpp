@@ -9,9 +9,9 @@
 #include "model/contacts.hpp"
 #include "model/sleep.hpp"
 #include "model/step_context.hpp"
+#include "solver/body_kernels.hpp"
 #include "solver/contact_passes.hpp"
 #include "solver/impact_scratch.hpp"
-#include "solver/integrate.hpp"
 
 #include <tamias2d/model/clamps.hpp>
 #include <tamias2d/model/events.hpp>
@@ -37,11 +37,11 @@ struct ImpactStage {
     MotionTable& motions;
     ContactTable& contacts;
     ContactPasses& passes;
+    const BodyKernels& kernels;
     TickRows& rows;
     JointTable& joints;
     JointSystem& system;
     std::vector<SweepBox>& boxes;          // of the broad phase: grown for bodies thrown out of theirs
-    std::vector<ImpactKick>& kicks;        // by row
     std::vector<ImpactRecord>& records;
     ImpactScratch& scratch;
     ClampCounts& clamps;

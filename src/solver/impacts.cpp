@@ -21,6 +21,20 @@ real nearGap(const Contact& c)
     return real(3.01) * c.restGap;
 }
 
+// How far a body may leave the way that its boxes were made for: they hold a little more than it.   [m]
+real slackOf(real width, const StepContext& context)
+{
+    return 2 * context.tuning.restGap * width;
+}
+
+// What a body that is paired again gets around it beyond that, as a part of its width.
+constexpr real kRoom = real(0.05);
+
+Aabb withRoom(const Aabb& box, double room)
+{
+    return {{box.lower.x - room, box.lower.y - room}, {box.upper.x + room, box.upper.y + room}};
+}
+
 class ImpactSolver {
 public:
     ImpactSolver(ImpactStage& stage, const StepContext& context, int tick);
@@ -49,12 +63,14 @@ private:
     bool isFarFrom(real start, const Contact& c);
     void resweep(std::uint32_t i, bool own);
     void pairAgain(std::uint32_t row);
-    void pairWithMoving(std::uint32_t row, std::uint32_t shape, const Aabb& needed);
-    void pairWithResting(std::uint32_t row, std::uint32_t shape, const Aabb& needed, real end);
+    void expectWay(std::uint32_t row, const Trajectory& path, real room);
+    void pairWithMoving(std::uint32_t row, std::uint32_t shape, const Aabb& needed, const Aabb& roomy);
+    bool pairWithResting(std::uint32_t row, std::uint32_t shape, const Aabb& needed, const Aabb& roomy,
+                         real end);
     bool meetsSleeper(std::uint32_t row, std::uint32_t shape, std::uint32_t other, real end);
     void takeUp(std::uint32_t first);
     bool isKnown(std::uint32_t row, const ShapePair& pair);
-    void add(const ShapePair& pair);
+    void add(const ShapePair& pair, bool meets);
 };
 
 ImpactSolver::ImpactSolver(ImpactStage& stage, const StepContext& context, int tick)
@@ -200,7 +216,8 @@ void ImpactSolver::takeUp(std::uint32_t first)
     }
 }
 
-void ImpactSolver::add(const ShapePair& pair)
+// Those that do not meet as they are expected to go are looked at when the next tick begins.
+void ImpactSolver::add(const ShapePair& pair, bool meets)
 {
     const auto i = static_cast<std::uint32_t>(stage_.contacts.rows.size());
     Contact added = makeContact(stage_.world, pair);
@@ -209,49 +226,79 @@ void ImpactSolver::add(const ShapePair& pair)
     stage_.contacts.rows.push_back(added);
     ++stage_.repaired;
     takeUp(i);
+    if (!meets) return;
     resweep(i, false);
     schedule(i);
 }
 
-// A body thrown out of the box it was paired in is paired again, at once.
+// A body thrown out of the box it was paired in is paired again, at once: in one with some room around its
+// new way, as what has been turned once is soon turned again.
 void ImpactSolver::pairAgain(std::uint32_t row)
 {
     const std::uint32_t body = motion(row).body;
     const Position center = motion(row).center;
     const Trajectory path = pathOf(row, center);
     const real end = static_cast<real>(context_.dt) - tickStart_;
+    const real room = kRoom * stage_.rows.predicted[row].width;
+    bool hasRoom = true;
 
     for (const std::uint32_t shape : stage_.world.bodies.rows[body].shapes) {
         const Convex& convex = stage_.world.shapes.rows[shape].convex;
         const real margin = 3 * stage_.world.restGap * convex.size;
         const Aabb needed = sweptBounds(convex, path, center, scratch_.flights[row].clock, end, margin);
+        const Aabb roomy = withRoom(needed, static_cast<double>(room));
         if (!scratch_.tree.isBuilt()) scratch_.tree.build(stage_.boxes, stage_.world.shapes.rows.size());
         const SweepBox* own = scratch_.tree.boxOf(shape);
         const bool left = own == nullptr || !contains(own->box, needed);
-        if (left) pairWithMoving(row, shape, needed);
-        if (left || !stage_.asleep.isEmpty()) pairWithResting(row, shape, needed, end);
+        hasRoom = hasRoom && (left || contains(own->box, roomy));
+        if (left) pairWithMoving(row, shape, needed, roomy);
+        if (left || !stage_.asleep.isEmpty())
+            hasRoom = pairWithResting(row, shape, needed, roomy, end) && hasRoom;
     }
+    expectWay(row, path, hasRoom ? room : real(0));
 }
 
-void ImpactSolver::pairWithMoving(std::uint32_t row, std::uint32_t shape, const Aabb& needed)
+// From now on the body is expected to go along `path`, within `room` [m].
+void ImpactSolver::expectWay(std::uint32_t row, const Trajectory& path, real room)
 {
-    scratch_.tree.overlapping(needed, motion(row).body, scratch_.found);
-    if (scratch_.tree.boxOf(shape) != nullptr) scratch_.tree.grow(shape, needed);
+    PredictedWay& way = stage_.rows.predicted[row];
+    if (!(way.width > 0)) return;
+    const LaneRow& pose = stage_.rows.poses[row];
+    const real t = tickStart_;
+    way.acceleration = path.acceleration;
+    way.spinRate = path.spinRate;
+    way.velocity = path.velocity - t * path.acceleration;
+    way.spin = path.spin - t * path.spinRate;
+    way.offset = Vec2{pose.x, pose.y} + path.position - t * way.velocity - (t * t / 2) * way.acceleration;
+    way.strayed = 0;
+    way.slack = slackOf(way.width, context_) + room;
+}
+
+void ImpactSolver::pairWithMoving(std::uint32_t row, std::uint32_t shape, const Aabb& needed,
+                                  const Aabb& roomy)
+{
+    scratch_.tree.overlapping(roomy, motion(row).body, scratch_.found);
+    if (scratch_.tree.boxOf(shape) != nullptr) scratch_.tree.grow(shape, roomy);
     for (const std::uint32_t k : scratch_.found) {
         const std::uint32_t other = stage_.boxes[k].shape;
         const ShapePair pair{minimum(shape, other), maximum(shape, other)};
-        if (mayCollide(stage_.world, pair) && !isKnown(row, pair)) add(pair);
+        if (mayCollide(stage_.world, pair) && !isKnown(row, pair))
+            add(pair, overlaps(needed, stage_.boxes[k].box));
     }
 }
 
 // What holds still may have no row yet; what sleeps comes in if it is met.
-void ImpactSolver::pairWithResting(std::uint32_t row, std::uint32_t shape, const Aabb& needed, real end)
+// Returns whether nothing sleeps in that room: what is not met keeps sleeping, and is looked at again as soon
+// as the way changes.
+bool ImpactSolver::pairWithResting(std::uint32_t row, std::uint32_t shape, const Aabb& needed,
+                                   const Aabb& roomy, real end)
 {
     scratch_.found.clear();
-    stage_.resting.eachOverlapping(needed, [&](std::uint32_t other) {
-        if (overlaps(needed, stage_.world.shapes.rows[other].sweptBox)) scratch_.found.push_back(other);
+    stage_.resting.eachOverlapping(roomy, [&](std::uint32_t other) {
+        if (overlaps(roomy, stage_.world.shapes.rows[other].sweptBox)) scratch_.found.push_back(other);
     });
     std::sort(scratch_.found.begin(), scratch_.found.end());
+    bool nobodySleeps = true;
     for (const std::uint32_t other : scratch_.found) {
         const ShapePair pair{minimum(shape, other), maximum(shape, other)};
         const std::uint32_t body = stage_.world.shapes.rows[other].body;
@@ -259,6 +306,7 @@ void ImpactSolver::pairWithResting(std::uint32_t row, std::uint32_t shape, const
         const BodyRow& b = stage_.world.bodies.rows[body];
         if (stage_.motions.rowOf[body] == MotionTable::kNone) {
             if (b.isAsleep()) {
+                nobodySleeps = false;
                 if (!meetsSleeper(row, shape, other, end)) continue;
                 const auto first = static_cast<std::uint32_t>(stage_.contacts.rows.size());
                 rouse(stage_, b.group, context_, context_.time + static_cast<double>(tickStart_));
@@ -269,8 +317,9 @@ void ImpactSolver::pairWithResting(std::uint32_t row, std::uint32_t shape, const
                 scratch_.chains.grow(stage_.motions.rows.size());
             }
         }
-        if (!isKnown(row, pair)) add(pair);
+        if (!isKnown(row, pair)) add(pair, overlaps(needed, stage_.world.shapes.rows[other].sweptBox));
     }
+    return nobodySleeps;
 }
 
 bool ImpactSolver::meetsSleeper(std::uint32_t row, std::uint32_t shape, std::uint32_t other, real end)
@@ -353,7 +402,8 @@ void keepClearance(Contact& c, const std::vector<Way>& ways)
 void startSweeps(ImpactStage& stage, const StepContext& context)
 {
     ImpactScratch& scratch = stage.scratch;
-    scratch.predicted.clear();
+    std::vector<PredictedWay>& predicted = stage.rows.predicted;
+    predicted.clear();
     for (const Motion& m : stage.motions.rows) {
         const Trajectory path = predictedPath(m, m.center, context.invH);
         real least = std::numeric_limits<real>::max();
@@ -361,8 +411,14 @@ void startSweeps(ImpactStage& stage, const StepContext& context)
             for (const std::uint32_t shape : stage.world.bodies.rows[m.body].shapes)
                 least = minimum(least, stage.world.shapes.rows[shape].convex.size);
         }
-        scratch.predicted.push_back({path.velocity, path.acceleration, path.spin, path.spinRate, 0,
-                                     2 * context.tuning.restGap * least});
+        predicted.push_back({path.velocity,
+                             path.spin,
+                             slackOf(least, context),
+                             path.acceleration,
+                             path.spinRate,
+                             0,
+                             {},
+                             m.moves() ? least : real(0)});
     }
     scratch.tree.clear();  // the boxes are new
     scratch.connected = false;
@@ -371,11 +427,17 @@ void startSweeps(ImpactStage& stage, const StepContext& context)
         if (stage.contacts.rows[i].swept) scratch.swept.push_back(i);
 }
 
-void resweepForTick(ImpactStage& stage, const std::vector<Way>& ways, const StepContext& context)
+void resweepForTick(ImpactStage& stage, const StepContext& context)
 {
     const std::vector<Motion>& rows = stage.motions.rows;
+    const std::vector<Way>& ways = stage.rows.ways;
     const ShapeTable& shapes = stage.world.shapes;
     ImpactScratch& scratch = stage.scratch;
+
+    if (scratch.swept.empty()) return;
+    stage.parallel.forEach(rows.size(), kBodyGrain, [&](const Chunk& chunk) {
+        stage.kernels.boundSpeeds(bodiesOf(chunk, stage.motions.rows, stage.rows), context);
+    });
 
     // Which of them may meet in this tick: the others are what the sweep would say without looking.
     enum Verdict : std::uint8_t { Far, Parts, Near };
@@ -386,6 +448,11 @@ void resweepForTick(ImpactStage& stage, const std::vector<Way>& ways, const Step
             Contact& c = stage.contacts.rows[scratch.swept[k]];
             const Motion &a = rows[c.rowA], &b = rows[c.rowB];
             keepClearance(c, ways);
+            const real reach = context.h * (ways[c.rowA].reach + ways[c.rowB].reach);
+            if (c.count == 0 && c.clearance - reach > nearGap(c)) {
+                scratch.verdicts[k] = Far;
+                continue;
+            }
             const real travel =
                 travelWithin(flightOf(a, context.invH), a, flightOf(b, context.invH), b, context.h);
             const bool far = c.clearance - travel > nearGap(c);
@@ -427,51 +494,29 @@ void resweepForTick(ImpactStage& stage, const std::vector<Way>& ways, const Step
     for (const std::uint32_t count : scratch.exhausted) stage.clamps.advancement += count;
 }
 
-namespace {
-
-// Has the body left the way its box was made for, or will it? Impacts turn it out of it, and so do the passes
-// over contacts. `t` is the time of the tick within the step, `rest` what is left of the step.
-bool strays(const Motion& m, const LaneRow& pose, PredictedWay& way, real t, real rest, real h)
-{
-    const auto sum = [](Vec2 v) { return absolute(v.x) + absolute(v.y); };
-    const Vec2 off = Vec2{pose.x, pose.y} - t * way.velocity - (t * t / 2) * way.acceleration;
-    const Vec2 change = m.velocity - way.velocity - t * way.acceleration;
-    const real turn = m.extent * absolute(m.spin - way.spin - t * way.spinRate);
-    way.strayed += h * turn;
-    return sum(off) + rest * (sum(change) + turn) + way.strayed > way.slack;
-}
-
-}  // namespace
-
-void startTick(ImpactStage& stage, const StepContext& context, int tick, TickRows& rows)
+void startTick(ImpactStage& stage, const StepContext& context, int tick)
 {
     std::vector<Motion>& motions = stage.motions.rows;
     ImpactScratch& scratch = stage.scratch;
-    const real t = static_cast<real>(tick) * context.h, rest = static_cast<real>(context.dt) - t;
+    const real t = static_cast<real>(tick) * context.h;
+    const TickTime time{tick, t, static_cast<real>(context.dt) - t};
+    scratch.strays.resize(motions.size());
+    scratch.starts.resize(Parallel::chunksOf(motions.size(), kBodyGrain));
+    stage.parallel.forEach(motions.size(), kBodyGrain, [&](const Chunk& chunk) {
+        StrayList strays{scratch.strays.data() + chunk.begin, 0};
+        const real fastest =
+            stage.kernels.startTick(bodiesOf(chunk, motions, stage.rows), context, time, strays);
+        scratch.starts[chunk.index] = {fastest, strays.count};
+    });
+
     scratch.fastest = 0;
-    scratch.strays.clear();
-    for (std::uint32_t row = 0; row < motions.size(); ++row) {
-        Motion& m = motions[row];
-        LaneRow& steady = rows.steady[row];
-        takeSteady(m, steady);
-        limitSteady(m, context);
-        steady = steadyRow(m);
-        setVelocity(rows.velocities[row], velocityOf(m));
-        rows.outside[row] = {m.acceleration.x, m.acceleration.y, 0, 0};
-        if (!m.moves()) {
-            const real reach = fastestPoint(m, {}, 0, context.h);
-            rows.expected[row] = {0, 0, 0, reach};
-            scratch.fastest = maximum(scratch.fastest, reach);
-            continue;
-        }
-        const Vec2 acceleration = expectedAcceleration(m, context.invH);
-        const real spinRate = expectedSpinRate(m, context.invH);
-        const real reach = fastestPoint(m, acceleration, spinRate, context.h);
-        rows.expected[row] = {acceleration.x, acceleration.y, spinRate, reach};
-        scratch.fastest = maximum(scratch.fastest, reach);
-        if (tick > 0 && strays(m, rows.poses[row], scratch.predicted[row], t, rest, context.h))
-            scratch.strays.push_back(row);
+    std::size_t strays = 0;
+    for (std::size_t k = 0; k < scratch.starts.size(); ++k) {
+        const auto [fastest, count] = scratch.starts[k];
+        scratch.fastest = maximum(fastest, scratch.fastest);
+        for (std::size_t i = 0; i < count; ++i) scratch.strays[strays++] = scratch.strays[k * kBodyGrain + i];
     }
+    scratch.strays.resize(strays);
 }
 
 }  // namespace tamias2d::inline TAMIAS_PRECISION

@@ -15,11 +15,10 @@ void keepClearance(Contact& contact, const std::vector<Way>& ways);
 /// What holds for all ticks of a step.
 void startSweeps(ImpactStage& stage, const StepContext& context);
 
-/// Starts tick number `tick` of the step for all bodies: what their contacts carry, from rows.steady, how
-/// fast they may become, and who leaves the box of the broad phase. What the lanes need goes to `rows`.
-void startTick(ImpactStage& stage, const StepContext& context, int tick, TickRows& rows);
+/// Starts tick number `tick` of the step for all bodies: see BodyKernels.
+void startTick(ImpactStage& stage, const StepContext& context, int tick);
 
-/// Looks again at the swept pairs, over this tick alone. `ways` are those of the tick before.
-void resweepForTick(ImpactStage& stage, const std::vector<Way>& ways, const StepContext& context);
+/// Looks again at the swept pairs, over this tick alone.
+void resweepForTick(ImpactStage& stage, const StepContext& context);
 
 }  // namespace tamias2d::inline TAMIAS_PRECISION

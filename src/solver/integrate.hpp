@@ -1,44 +1,50 @@
 // SPDX-License-Identifier: MIT
+// Kick-drift-kick: second order, exact for constant forces and for exponential damping with them. Formulas
+// for W bodies at once. docs/theory/integration.md.
 #pragma once
 
-#include "contacts/rows.hpp"
+#include "math/double_lane.hpp"
 #include "model/motion.hpp"
 
-#include <vector>
+#include <tamias2d/math/scalar.hpp>
 
 namespace tamias2d::inline TAMIAS_PRECISION {
 
-/// The share of an impact's velocity change that comes before the drift of its tick, and after it:
-/// so placed, the position at the end is that of a body hit at the right time.
-struct ImpactKick {
-    Vec2 before, after;                   // [m/s]
-    real spinBefore = 0, spinAfter = 0;   // [rad/s]
-};
-
 /// The constants of exponential damping over a tick of length h: docs/theory/integration.md, eq. 5-7.
 Damping makeDamping(real rate, real h);
-
-/// First kick of a tick. A free body gets half of what acts on it, a loaded one all of it: what
-/// rests on something is solved once, with its whole load.
-void kickFirst(Motion& m, const ImpactKick& kick);
-
-/// How a body went: the way of its center, and at most how much more any point of it by turning.   [m]
-struct Way {
-    Vec2 shift;
-    real turn = 0;
-};
-
-/// Moves the body along its velocity and the push, and by what damping adds to that.
-Way drift(Motion& m, const BodyMotion<real>& push, real h);
-
-/// The rest of the kick, with the acceleration at the new place.
-void kickSecond(Motion& m, const ImpactKick& kick);
-
-/// Takes back the angular momentum that a body gains when contacts change its way by `solved` [m/s] in a
-/// tick in which impacts had reckoned with another: their second kicks act a little off their places [GD1].
-void repayImpact(Motion& m, const ImpactKick& kick, Vec2 solved, real h);
+/// Those of a body, if it is damped.
+void startDamping(Motion& m, real h);
 
 /// Holds speed and spin below their bounds; returns whether it had to.
 bool clampSpeed(Motion& m, real lengthUnit);
+
+/// Bounds of clampSpeed.   [m/s], [rad/s]
+real mostSpeed(real lengthUnit);
+real mostSpin();
+
+/// Half a tick of a velocity, from what it is the rounding of, if that still is so.
+template <int W>
+void kickHalf(Lane<W>& velocity, DoubleLane<W>& fine, Lane<W> acceleration, Lane<W> steady,
+              DoubleLane<W> keep, DoubleLane<W> kickTime)
+{
+    fine = select(toDouble(toReal(fine) == velocity), fine, toDouble(velocity));
+    fine = keep * fine + kickTime * toDouble(acceleration) + DoubleLane<W>(0.5) * toDouble(steady);
+    velocity = toReal(fine);
+}
+
+/// A whole tick of a velocity that carries a load; `keep` and `time` are those of the whole tick.
+template <int W>
+Lane<W> kickWhole(Lane<W> velocity, Lane<W> acceleration, Lane<W> steady, Lane<W> keep, Lane<W> time)
+{
+    return keep * velocity + time * acceleration + steady;
+}
+
+/// What damping adds to the drift of a tick.   [m] or [rad]
+template <int W>
+DoubleLane<W> excessOf(Lane<W> velocity, Lane<W> acceleration, DoubleLane<W> excessTime,
+                       DoubleLane<W> excessAccel)
+{
+    return excessTime * toDouble(velocity) - excessAccel * toDouble(acceleration);
+}
 
 }  // namespace tamias2d::inline TAMIAS_PRECISION

@@ -5,6 +5,7 @@
 #include "solver/newcomers.hpp"
 
 #include "contacts/rows.hpp"
+#include "solver/integrate.hpp"
 
 #include <limits>
 
@@ -16,14 +17,16 @@ void enter(ImpactStage& stage, std::uint32_t body, const StepContext& context)
     stage.motions.rowOf[body] = static_cast<std::uint32_t>(rows.size());
     rows.push_back(motionOf(stage.world.bodies.rows[body], body));
     stage.islands.islandOf.push_back(Islands::kNone);
-    stage.kicks.emplace_back();
     stage.scratch.flights.push_back(flightOf(rows.back(), context.invH));
     stage.scratch.flies.push_back(1);
-    stage.scratch.predicted.emplace_back();  // it has no box to leave
-    stage.scratch.predicted.back().slack = std::numeric_limits<real>::max();
     stage.system.groupOf.resize(rows.size(), JointSystem::kNone);
     TickRows& lanes = stage.rows;
-    lanes.origins.push_back(rows.back().center);
+    lanes.predicted.emplace_back();  // has no box to leave
+    lanes.predicted.back().slack = std::numeric_limits<real>::max();
+    lanes.origins.push_back({rows.back().center});
+    lanes.kicks.resize(rows.size());
+    lanes.changes.resize(rows.size());
+    lanes.ways.resize(rows.size());
     lanes.poses.push_back(poseRow(rows.back(), rows.back().center));
     lanes.velocities.push_back(laneRow(velocityOf(rows.back())));
     for (std::vector<LaneRow>* each : {&lanes.steady, &lanes.expected, &lanes.outside, &lanes.pushes})
@@ -71,10 +74,8 @@ void rouse(ImpactStage& stage, std::uint32_t group, const StepContext& context, 
     for (const std::uint32_t body : sleepers.bodies) {
         enter(stage, body, context);
         Motion& m = motions.rows.back();
-        const BodyRow& b = stage.world.bodies.rows[body];
         if (m.moves()) stage.islands.islandOf.back() = island;
-        m.damping = makeDamping(m.moves() ? b.linearDamping : real(0), context.h);
-        m.spinDamping = makeDamping(m.moves() ? b.angularDamping : real(0), context.h);
+        startDamping(m, context.h);
         stage.lawFaults += accelerateOne(m, stage.world.bodies, stage.field, time);
     }
     for (Contact c : sleepers.contacts) {

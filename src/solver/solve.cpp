@@ -8,6 +8,8 @@
 #include "solver/integrate.hpp"
 #include "solver/joint_passes.hpp"
 
+#include <atomic>
+
 namespace tamias2d::inline TAMIAS_PRECISION {
 namespace {
 
@@ -48,7 +50,7 @@ void turnJoints(SolverStage& stage, std::vector<TickChange>& changes, const Step
 
 void markHits(SolverStage& stage)
 {
-    const std::vector<ImpactKick>& kicks = stage.scratch.kicks;
+    const std::vector<ImpactKick>& kicks = stage.scratch.rows.kicks;
     stage.system.hit.assign(stage.motions.rows.size(), 0);
     for (std::size_t i = 0; i < kicks.size(); ++i)
         stage.system.hit[i] = kicks[i].before != Vec2{} || kicks[i].after != Vec2{};
@@ -63,7 +65,7 @@ std::uint32_t accelerateAfterDrift(SolverStage& stage, const StepContext& contex
     held.resize(rows.size());
     for (std::size_t i = 0; i < rows.size(); ++i) {
         held[i] = {rows[i].velocity, rows[i].spin};
-        if (rows[i].loaded) continue;
+        if (rows[i].isLoaded()) continue;
         rows[i].velocity += context.h / 2 * rows[i].acceleration;
         rows[i].spin += context.h / 2 * rows[i].spinRate;
     }
@@ -75,31 +77,33 @@ std::uint32_t accelerateAfterDrift(SolverStage& stage, const StepContext& contex
     return faults;
 }
 
-// From the passes to the end of the drift.
-void driftRow(SolverScratch& scratch, std::size_t i, Motion& m, const StepContext& context)
+// From the passes to the end of the tick: together, unless forces or joints depend on where all bodies are in
+// between. Returns how many bodies were too fast.
+std::uint32_t driftAll(SolverStage& stage, const StepContext& context, bool together)
 {
-    TickChange& change = scratch.changes[i];
-    setVelocity(m, velocityOf(scratch.rows.velocities[i]));
-    const Vec2 solved = change.velocity + m.velocity;
-    change.velocity = solved + m.steady;
-    change.spin += m.spin + m.steadySpin;
-    repayImpact(m, scratch.kicks[i], solved, context.h);
-    const LaneRow& push = scratch.rows.pushes[i];
-    scratch.ways[i] = drift(m, {{push.x, push.y}, push.z}, context.h);
-    scratch.rows.poses[i] = poseRow(m, scratch.rows.origins[i]);
+    SolverScratch& scratch = stage.scratch;
+    std::vector<Motion>& rows = stage.motions.rows;
+    const bool kicked = scratch.impacts.kicked;
+    std::atomic<std::uint32_t> clamped = 0;
+    stage.parallel.forEach(rows.size(), kBodyGrain, [&](const Chunk& chunk) {
+        const BodyRows run = bodiesOf(chunk, rows, scratch.rows);
+        scratch.bodies.drift(run, context, kicked);
+        if (together) clamped += scratch.bodies.kickAfterDrift(run, context, kicked);
+    });
+    return clamped;
 }
 
-// What contacts have done becomes the expectation for the next tick; then the bounds of speed.
-void kickAfterDrift(SolverScratch& scratch, std::size_t i, Motion& m, const StepContext& context,
-                    SolverCounts& counts)
+void calm(SolverStage& stage, const StepContext& context)
 {
-    TickChange& change = scratch.changes[i];
-    kickSecond(m, scratch.kicks[i]);
-    m.steady = change.velocity;
-    m.steadySpin = change.spin;
-    change.velocity += context.h * m.acceleration;
-    change.spin += context.h * m.spinRate;
-    if (m.moves() && clampSpeed(m, context.lengthUnit)) ++counts.clamps.speed;
+    if (!(context.tuning.calmRate > 0)) return;
+    SolverScratch& scratch = stage.scratch;
+    std::vector<Motion>& rows = stage.motions.rows;
+    const std::vector<CalmPair>& grounded = scratch.calmRows.grounded;
+    stage.parallel.forEach(grounded.size(), kBodyGrain, [&](const Chunk& chunk) {
+        scratch.bodies.calm(rows.data(), grounded.data() + chunk.begin, chunk.end - chunk.begin, scratch.rows,
+                            context);
+    });
+    calmFloating(rows, scratch.rows.changes, stage.islands, scratch.calmRows, context);
 }
 
 }  // namespace
@@ -111,20 +115,18 @@ SolverCounts solve(SolverStage& stage, const StepContext& context)
     std::vector<Motion>& rows = stage.motions.rows;
     TickRows& lanes = scratch.rows;
     std::uint32_t groups = 0;
-    ImpactStage impacts{
-        stage.world,      stage.field,    stage.resting,   stage.asleep,  stage.islands,   stage.motions,
-        stage.contacts,   scratch.passes, lanes,           stage.joints,  stage.system,    stage.boxes,
-        scratch.kicks,    stage.impacts,  scratch.impacts, counts.clamps, counts.repaired, groups,
-        counts.lawFaults, stage.roused,   stage.parallel};
+    ImpactStage impacts{stage.world,   stage.field,     stage.resting,  stage.asleep,     stage.islands,
+                        stage.motions, stage.contacts,  scratch.passes, scratch.bodies,   lanes,
+                        stage.joints,  stage.system,    stage.boxes,    stage.impacts,    scratch.impacts,
+                        counts.clamps, counts.repaired, groups,         counts.lawFaults, stage.roused,
+                        stage.parallel};
 
     lanes.origins.resize(rows.size());
     lanes.poses.resize(rows.size());
     for (std::size_t i = 0; i < rows.size(); ++i) {
         Motion& m = rows[i];
-        const BodyRow& body = stage.world.bodies.rows[m.body];
-        m.damping = makeDamping(m.moves() ? body.linearDamping : real(0), context.h);
-        m.spinDamping = makeDamping(m.moves() ? body.angularDamping : real(0), context.h);
-        lanes.origins[i] = m.center;
+        startDamping(m, context.h);
+        lanes.origins[i] = {m.center};
         lanes.poses[i] = poseRow(m, m.center);
     }
     scratch.passes.begin(stage.contacts, stage.motions, stage.islands, context);
@@ -134,9 +136,9 @@ SolverCounts solve(SolverStage& stage, const StepContext& context)
     lanes.expected.resize(rows.size());
     lanes.outside.resize(rows.size());
     lanes.pushes.resize(rows.size());
-    scratch.ways.assign(rows.size(), {});
-    scratch.kicks.assign(rows.size(), {});
-    scratch.changes.resize(rows.size());
+    lanes.ways.assign(rows.size(), {});
+    lanes.kicks.assign(rows.size(), {});
+    lanes.changes.resize(rows.size());
     bool varies = stage.field.varies(stage.motions, stage.world.bodies);
 
     Stopwatch watch;
@@ -144,35 +146,31 @@ SolverCounts solve(SolverStage& stage, const StepContext& context)
         const ProfileScope tickSpan(stage.profile, "tick");
         ProfileScope span(stage.profile, "forces");
         const double time = context.time + context.dt * tick / context.ticks;
-        if (scratch.impacts.kicked) scratch.kicks.assign(rows.size(), {});
+        if (scratch.impacts.kicked) lanes.kicks.assign(rows.size(), {});
         scratch.impacts.kicked = false;
         if (varies && tick > 0)
             counts.lawFaults += accelerate(stage.motions, stage.world.bodies, stage.field, time);
 
         // Impacts at their times.
         span.next("swept pairs");
-        resweepForTick(impacts, scratch.ways, context);
+        resweepForTick(impacts, context);
         span.next("warm start");
         bool hasJoints = !stage.system.empty();
         if (hasJoints) guardLightBodies(stage.joints, stage.world.bodies, stage.system, rows, context);
         scratch.passes.prepare(stage.contacts, stage.motions, lanes, context);
         if (hasJoints) addSteadyOfJoints(stage, lanes);
-        startTick(impacts, context, tick, lanes);
+        startTick(impacts, context, tick);
         span.next("impacts");
         applyImpacts(impacts, context, tick);
-        scratch.changes.resize(rows.size());  // for those that came in
-        scratch.ways.resize(rows.size());
         if (!stage.roused.empty()) varies = stage.field.varies(stage.motions, stage.world.bodies);
         hasJoints = !stage.system.empty();  // those of sleepers that were hit, too
         counts.impactTime += watch.lap();
 
         // First kick, contacts.
         span.next("passes");
-        for (std::size_t i = 0; i < rows.size(); ++i) {
-            kickFirst(rows[i], scratch.kicks[i]);
-            scratch.changes[i] = {-rows[i].velocity, -rows[i].spin};
-            setVelocity(lanes.velocities[i], velocityOf(rows[i]));
-        }
+        stage.parallel.forEach(rows.size(), kBodyGrain, [&](const Chunk& chunk) {
+            scratch.bodies.kick(bodiesOf(chunk, rows, lanes), context, scratch.impacts.kicked);
+        });
         const JointWorld jointWorld{stage.joints, stage.world.bodies, stage.motions, stage.islands, context};
         if (hasJoints) {
             startJoints(stage.joints, stage.world.bodies, stage.motions, context, stage.system);
@@ -187,31 +185,29 @@ SolverCounts solve(SolverStage& stage, const StepContext& context)
         if (tick == 0) scratch.passes.pushApart(stage.contacts, stage.motions, lanes, context, counts.clamps);
 
         span.next("drift");
-        // Drift, second kick: together, unless forces or joints depend on where all bodies are in between.
         const bool together = !varies && !hasJoints;
-        for (std::size_t i = 0; i < rows.size(); ++i) {
-            driftRow(scratch, i, rows[i], context);
-            if (together) kickAfterDrift(scratch, i, rows[i], context, counts);
-        }
-        if (hasJoints) turnJoints(stage, scratch.changes, context);
+        counts.clamps.speed += driftAll(stage, context, together);
+        if (hasJoints) turnJoints(stage, lanes.changes, context);
         if (varies)
             counts.lawFaults += accelerateAfterDrift(stage, context, time + context.dt / context.ticks);
-        for (std::size_t i = 0; i < rows.size() && !together; ++i)
-            kickAfterDrift(scratch, i, rows[i], context, counts);
+        if (!together) {
+            const BodyRows all{rows.data(), lanes, 0, static_cast<std::uint32_t>(rows.size())};
+            counts.clamps.speed += scratch.bodies.kickAfterDrift(all, context, scratch.impacts.kicked);
+        }
         if (hasJoints) {
             span.next("joints");
-            settleJoints(stage.system, rows, scratch.changes, context);
+            settleJoints(stage.system, rows, lanes.changes, context);
             markHits(stage);
             tallyJoints(stage.joints, stage.system, rows);
             keepJoints(stage.joints, stage.system, context);
         }
         span.next("calm");
-        calm(rows, scratch.changes, stage.islands, scratch.calmRows, context);
+        calm(stage, context);
         counts.solveTime += watch.lap();
     }
     if (!stage.system.empty()) releaseGuard(stage.world.bodies, rows);
     scratch.passes.end(stage.contacts);
-    for (const std::uint32_t i : scratch.impacts.swept) keepClearance(stage.contacts.rows[i], scratch.ways);
+    for (const std::uint32_t i : scratch.impacts.swept) keepClearance(stage.contacts.rows[i], lanes.ways);
     return counts;
 }
 

@@ -6,6 +6,7 @@
 #include "forces/accelerations.hpp"
 #include "islands/links.hpp"
 #include "joints/tick.hpp"
+#include "solver/body_kernels.hpp"
 #include "solver/calm.hpp"
 #include "solver/contact_passes.hpp"
 #include "solver/impacts.hpp"
@@ -14,15 +15,16 @@ namespace tamias2d::inline TAMIAS_PRECISION {
 
 /// What the solver works with; it keeps its memory from step to step.
 struct SolverScratch {
-    std::vector<ImpactKick> kicks;      // by row
-    std::vector<TickChange> changes;    // by row
     CalmRows calmRows;
-    std::vector<Way> ways;              // by row: in the last tick
     std::vector<std::pair<Vec2, real>> held;   // by row: velocity and spin
     TickRows rows;
     ContactPasses passes;
 
-    SolverScratch(LaneWidth lanes, Parallel& parallel) : passes(lanes, parallel) {}
+    const BodyKernels& bodies;
+
+    SolverScratch(LaneWidth lanes, Parallel& parallel) : passes(lanes, parallel), bodies(bodyKernels(lanes))
+    {
+    }
     ImpactScratch impacts;
 };
 

@@ -8,16 +8,62 @@
 
 namespace tamias2d::inline TAMIAS_PRECISION {
 
+// What kernels read and write in groups of four; where the fourth has no name it has no meaning.
+inline constexpr std::size_t kRowBytes = 4 * sizeof(real);
+
+/// Velocity change of one body by contacts and forces in a tick.
+struct alignas(kRowBytes) TickChange {
+    Vec2 velocity;   // [m/s]
+    real spin = 0;   // [rad/s]
+};
+
+/// The share of an impact's velocity change that comes before the drift of its tick, and after it:
+/// so placed, the position at the end is that of a body hit at the right time.
+struct ImpactKick {
+    alignas(kRowBytes) Vec2 before;   // [m/s]
+    real spinBefore = 0;              // [rad/s]
+    alignas(kRowBytes) Vec2 after;
+    real spinAfter = 0;
+};
+
+/// How a body went: the way of its center, and at most how much more any point of it by turning.   [m]
+struct alignas(kRowBytes) Way {
+    Vec2 shift;
+    real turn = 0;
+    real reach = 0;   // bound on the speed of any point of it in the tick that follows   [m/s]
+};
+
+/// The way that the box of a body in the broad phase was made for, and how far the body may leave it.
+struct PredictedWay {
+    alignas(kRowBytes) Vec2 velocity;  // at the start of the step, or as if it had been so since then   [m/s]
+    real spin = 0;  // [rad/s]
+    real slack = 0;  // [m]
+    alignas(kRowBytes) Vec2 acceleration;  // all along it   [m/s^2]
+    real spinRate = 0;  // [rad/s^2]
+    real strayed = 0;  // by turning, so far: no point of it by more   [m]
+    alignas(kRowBytes) Vec2 offset;  // at the start of the step   [m]
+    real width = 0;  // of its narrowest shape; 0: it has no box   [m]
+};
+
+/// Where a body's center is at the start of the step.   [m]
+struct alignas(4 * sizeof(double)) StartPlace {
+    Position center;
+};
+
 /// What the lanes read and write of bodies in a tick, four numbers a row, beside each other in memory. All by
 /// row of the MotionTable.
 struct TickRows {
-    std::vector<Position> origins;  // centers at the start of the step   [m]
+    std::vector<StartPlace> origins;
     std::vector<LaneRow> poses;  // way of the center since then [m], cosine and sine
     std::vector<LaneRow> velocities;  // of the center [m/s], spin [rad/s]
     std::vector<LaneRow> steady;  // Motion::steady [m/s], steadySpin [rad/s]; w is 1 where a load is
     std::vector<LaneRow> expected;  // accelerations of a flight [m/s^2], [rad/s^2]; w: see fastestPoint
     std::vector<LaneRow> outside;  // Motion::acceleration [m/s^2]; z, w mean nothing
     std::vector<LaneRow> pushes;  // displacements, as velocities over a tick [m/s], [rad/s]
+    std::vector<TickChange> changes;
+    std::vector<ImpactKick> kicks;
+    std::vector<PredictedWay> predicted;  // of the step
+    std::vector<Way> ways;  // in the last tick
 };
 
 inline LaneRow laneRow(const BodyMotion<real>& motion, real w = 0)
@@ -47,11 +93,11 @@ inline void takeSteady(Motion& m, const LaneRow& row)
 {
     m.steady = {row.x, row.y};
     m.steadySpin = row.z;
-    m.loaded = row.w > 0;
+    m.load = row.w;
 }
 inline LaneRow steadyRow(const Motion& m)
 {
-    return {m.steady.x, m.steady.y, m.steadySpin, m.loaded ? real(1) : real(0)};
+    return {m.steady.x, m.steady.y, m.steadySpin, m.load};
 }
 inline LaneRow poseRow(const Motion& m, Position origin)
 {

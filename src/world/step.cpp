@@ -206,7 +206,7 @@ StepReport World::Impl::step(double dt, int substeps)
         const std::span<Contact> batch(contacts.rows.data() + chunk.begin, chunk.end - chunk.begin);
         updateForStep(batch, shapes, motions, context, paths, manifoldCounts[chunk.index]);
         for (Contact& contact : batch)
-            prepareContact(contact, motions.rows[contact.rowA], motions.rows[contact.rowB]);
+            placeContact(contact, motions.rows[contact.rowA], motions.rows[contact.rowB]);
     });
     for (const ManifoldCounts& counts : manifoldCounts) {
         r.sweptPairs += counts.swept;

@@ -39,7 +39,7 @@ Heap randomHeap(unsigned seed, std::uint32_t bodies, std::uint32_t contacts)
         }
         heap.motions.rows.push_back(m);
         heap.islands.islandOf.push_back(i == 0 ? Islands::kNone : i % 2);
-        heap.rows.origins.push_back(m.center);
+        heap.rows.origins.push_back({m.center});
         heap.rows.poses.push_back(poseRow(m, m.center));
         heap.rows.velocities.push_back(laneRow(velocityOf(m)));
         heap.rows.pushes.push_back({});

@@ -56,14 +56,13 @@ TEST(Travel, NoPointIsFasterThanTheBound)
     std::uniform_real_distribution<real> angle(0, 6), part(0, 1);
     constexpr real kH = real(1) / 480;
     for (int i = 0; i < 2000; ++i) {
-        Sample s = randomSample(random);
-        s.motion.velocity = s.flight.velocity;
-        s.motion.spin = s.flight.spin;
+        const Sample s = randomSample(random);
         const real t = kH * part(random);
         const Vec2 arm = rotate(Rot::ofAngle(static_cast<double>(angle(random))), Vec2{s.motion.extent, 0});
         const Vec2 velocity =
             s.flight.velocity + t * s.flight.acceleration + cross(s.flight.spin + t * s.flight.spinRate, arm);
-        EXPECT_LE(length(velocity), fastestPoint(s.motion, s.flight.acceleration, s.flight.spinRate, kH))
+        EXPECT_LE(length(velocity), fastestPoint(s.flight.velocity, s.flight.spin, s.flight.acceleration,
+                                                 s.flight.spinRate, s.motion.extent, kH))
             << "sample " << i;
     }
 }

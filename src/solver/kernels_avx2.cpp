@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: MIT
 // The kernels for AVX2.
 
+#include "solver/body_kernels_of.hpp"
 #include "solver/contact_kernels_of.hpp"
 
 namespace tamias2d::inline TAMIAS_PRECISION {
 
+template struct BodyKernelsOf<kLanes32>;
 template struct ContactKernels<kLanes32>;
 
 }  // namespace tamias2d::inline TAMIAS_PRECISION

@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "math/lane.hpp"
+#include "model/motion.hpp"
+#include "model/step_context.hpp"
+#include "solver/calm.hpp"
+#include "solver/tick_rows.hpp"
+#include "tasks/parallel.hpp"
+
+#include <tamias2d/base/lane_width.hpp>
+
+namespace tamias2d::inline TAMIAS_PRECISION {
+
+/// A run of rows of the MotionTable, and what stands beside them.
+struct BodyRows {
+    Motion* motions;
+    TickRows& rows;
+    std::uint32_t begin, end;
+};
+
+/// Bodies that a loop over several kernels takes at a time, by any thread: so many stay in the cache from one
+/// kernel to the next.
+inline constexpr std::size_t kBodyGrain = 128;
+
+inline BodyRows bodiesOf(const Chunk& chunk, std::vector<Motion>& motions, TickRows& rows)
+{
+    return {motions.data(), rows, static_cast<std::uint32_t>(chunk.begin),
+            static_cast<std::uint32_t>(chunk.end)};
+}
+
+/// When a tick is within its step.
+struct TickTime {
+    int number = 0;
+    real start = 0, rest = 0;  // from the start of the step; to its end   [s]
+};
+
+/// Rows that leave their boxes in a tick: a list with room for all, and how many.
+struct StrayList {
+    std::uint32_t* rows;
+    std::size_t count;
+};
+
+/// What is done with all bodies in a tick, several at once. Compiled for each width, as ContactKernels are,
+/// and with the same care; all widths give the same bits. Ranges may be cut in any way.
+struct BodyKernels {
+    /// Bounds on the speeds of all points in the tick that begins, in rows.ways.
+    void (*boundSpeeds)(const BodyRows& bodies, const StepContext& context);
+    /// Starts a tick: what the contacts carry, from rows.steady, held to what forces may do; how fast bodies
+    /// may become; who leaves the box of the broad phase. Returns a bound on the speed of all points [m/s].
+    real (*startTick)(const BodyRows& bodies, const StepContext& context, const TickTime& time,
+                      StrayList& strays);
+    /// First kick. A free body gets half of what acts on it, a loaded one all of it: what rests on something
+    /// is solved once, with its whole load. `kicked`: rows.kicks say something.
+    void (*kick)(const BodyRows& bodies, const StepContext& context, bool kicked);
+    /// From the passes to the end of the drift: moves bodies along their velocities and pushes, and by what
+    /// damping adds to that.
+    void (*drift)(const BodyRows& bodies, const StepContext& context, bool kicked);
+    /// The rest of the kick, at the new place. What contacts have done becomes the expectation for the next
+    /// tick. Bounds of speed; returns how many bodies had to be slowed.
+    std::uint32_t (*kickAfterDrift)(const BodyRows& bodies, const StepContext& context, bool kicked);
+    /// Slows loaded bodies that are already slow and not speeding up, against their grounds:
+    /// docs/theory/calm.md.
+    void (*calm)(Motion* motions, const CalmPair* pairs, std::size_t count, TickRows& rows,
+                 const StepContext& context);
+};
+
+/// Those of a width that this machine has.
+const BodyKernels& bodyKernels(LaneWidth width);
+
+/// The same for one width; defined in a file that is compiled with its instructions.
+template <int W>
+struct BodyKernelsOf {
+    static const BodyKernels kTable;
+};
+
+extern template struct BodyKernelsOf<1>;
+extern template struct BodyKernelsOf<kLanes16>;
+extern template struct BodyKernelsOf<kLanes32>;
+extern template struct BodyKernelsOf<kLanes64>;
+
+}  // namespace tamias2d::inline TAMIAS_PRECISION
