@@ -34,15 +34,18 @@ public:
 
     int threads() const { return threads_; }
 
+    /// Loops of fewer chunks are not worth waking and waiting for others. A chunk is 3 us or more.
+    static constexpr std::size_t kLeastChunks = 4;
+
     static std::size_t chunksOf(std::size_t count, std::size_t grain) { return (count + grain - 1) / grain; }
 
     /// Calls body(Chunk) for each chunk of [0, count), `grain` of them at a time; the last may be shorter.
-    /// A body may write only what belongs to its chunk. With one thread this is a loop.
+    /// A body may write only what belongs to its chunk. With one thread, or few chunks, this is a loop.
     template <class Body>
     void forEach(std::size_t count, std::size_t grain, Body&& body)
     {
         const std::size_t chunks = chunksOf(count, grain);
-        if (threads_ == 1 || chunks <= 1) {
+        if (threads_ == 1 || chunks < kLeastChunks) {
             for (std::size_t k = 0; k < chunks; ++k) body(chunkOf(k, count, grain));
             return;
         }

@@ -26,9 +26,9 @@ void pileUp(World& world)
 // So many boxes that each color of their contacts is shared out; they overlap a little.
 void wall(World& world)
 {
-    addGround(world, 0, 400);
+    addGround(world, 0, 600);
     for (int row = 0; row < 8; ++row)
-        for (int i = 0; i < 300; ++i) addBox(world, {i - 150 + 0.5 * (row % 2), 0.49 + 0.98 * row}, 0.99, 1);
+        for (int i = 0; i < 500; ++i) addBox(world, {i - 250 + 0.5 * (row % 2), 0.49 + 0.98 * row}, 0.99, 1);
 }
 
 // A wide stack; it falls asleep, and a ball wakes it.

@@ -91,7 +91,7 @@ TEST(Parallel, EndsALoopBeforeTheNextBegins)
     EXPECT_EQ(values, std::vector<long>(200, 1 + kLoops % 1000));
 }
 
-TEST(Parallel, AsksAHostForMoreThanOneChunkOnly)
+TEST(Parallel, AsksAHostForLoopsOfSomeLengthOnly)
 {
     TRACES("ADR26");
     Profile profile;
@@ -100,9 +100,9 @@ TEST(Parallel, AsksAHostForMoreThanOneChunkOnly)
     });
     Parallel parallel(1, &host, profile);
     EXPECT_EQ(parallel.threads(), 4);
-    visits(parallel, 10, 10);
+    visits(parallel, 10 * (Parallel::kLeastChunks - 1), 10);
     EXPECT_EQ(host.runs, 0);
-    visits(parallel, 11, 10);
+    visits(parallel, 10 * Parallel::kLeastChunks, 10);
     EXPECT_EQ(host.runs, 1);
 }
 
