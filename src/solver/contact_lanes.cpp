@@ -96,6 +96,7 @@ private:
         });
     }
     void sortByKind(const ContactTable& contacts);
+    void leaveEmpty(std::size_t slot);
     void place(std::uint32_t contact, const Contact& row, std::size_t slot, const MotionTable& motions,
                const Islands& islands);
 };
@@ -118,6 +119,8 @@ void ContactLanesOf<W>::build(const ContactTable& contacts, const MotionTable& m
             for (std::size_t slot = k * W; slot < (k + 1) * W; ++slot)
                 if (slots_[slot] != kNone)
                     place(slots_[slot], contacts.rows[slots_[slot]], slot, motions, islands);
+                else
+                    leaveEmpty(slot);
         }
     });
 }
@@ -213,6 +216,15 @@ void ContactLanesOf<W>::place(std::uint32_t contact, const Contact& row, std::si
     b.oneIsland = b.oneIsland && b.island[lane] == b.island[0];
     if (motions.rows[row.rowA].moves()) b.movesA |= bit;
     if (motions.rows[row.rowB].moves()) b.movesB |= bit;
+}
+
+// It reads what its neighbor reads, and no row that another thread may be writing.
+template <int W>
+void ContactLanesOf<W>::leaveEmpty(std::size_t slot)
+{
+    Block& b = blocks_[slot / W];
+    b.rowA[slot % W] = b.rowA[0];
+    b.rowB[slot % W] = b.rowB[0];
 }
 
 template <int W>
