@@ -227,6 +227,13 @@ TAMIAS_INLINE T solveRow(ContactRow<T>& row, int count, BodyMotion<T>& a, BodyMo
     return change.speed;
 }
 
+/// A change held to a bound; 0 for what is no number, as the sum of two infinite loads.
+template <class T>
+TAMIAS_INLINE T limitedChange(T change, T bound)
+{
+    return select(isEqual(change, change), clamp(change, -bound, bound), T(real(0)));
+}
+
 /// What pushing asks of a point that is `off` beyond the slack it leaves to the rest gap: to undo a part of
 /// an overlap, no faster than `most`, and to use up no more than what is free.   [m/s]
 template <class T>

@@ -216,16 +216,8 @@ void addSteady(const Contact& contact, const Motion& a, const Motion& b, BodyMot
 
 void limitSteady(Motion& m, const StepContext& context)
 {
-    const auto isLimited = [](real change, real most) { return change >= -most && change <= most; };
-    const real most = context.mostSteady, mostSpin = context.mostSteadySpin;
-    if (isLimited(m.steady.x, most) && isLimited(m.steady.y, most) && isLimited(m.steadySpin, mostSpin))
-        return;
-    const auto limited = [](real change, real bound) {
-        return std::isnan(change) ? real(0)
-                                  : clamp(change, -bound, bound);  // of two infinite loads: no number
-    };
-    m.steady = {limited(m.steady.x, most), limited(m.steady.y, most)};
-    m.steadySpin = limited(m.steadySpin, mostSpin);
+    m.steady = {limitedChange(m.steady.x, context.mostSteady), limitedChange(m.steady.y, context.mostSteady)};
+    m.steadySpin = limitedChange(m.steadySpin, context.mostSteadySpin);
 }
 
 namespace {

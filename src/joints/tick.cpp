@@ -94,13 +94,17 @@ void chooseStiff(JointTable& table, const std::vector<Motion>& motions, JointSys
     members.assign(groups, 0);
     bodies.assign(groups, 0);
     system.stiffGroups.assign(groups, 0);
+    system.unevenGroups.assign(groups, 0);
     for (const std::uint32_t group : system.groupOf)
         if (group != JointSystem::kNone) ++bodies[group];
     for (const JointRows& rows : system.joints) {
         JointRow& joint = table.rows[rows.joint];
         members[rows.group] +=
             std::holds_alternative<PulleyJoint>(joint.def.kind) ? 2 : 1;  // it has stops, too
-        if (isHeavy(motions[rows.rowA], motions[rows.rowB])) joint.stiffSteps = kHold;
+        if (isHeavy(motions[rows.rowA], motions[rows.rowB])) {
+            joint.stiffSteps = kHold;
+            system.unevenGroups[rows.group] = 1;
+        }
         if (joint.stiffSteps > 0) {
             --joint.stiffSteps;
             system.stiffGroups[rows.group] = 1;
@@ -183,6 +187,17 @@ void listJoints(JointTable& table, const BodyTable& bodies, const MotionTable& m
 }
 
 }  // namespace
+
+void soften(JointSystem& system, std::size_t direct)
+{
+    for (const std::uint32_t j : system.direct[direct].joints) {
+        system.joints[j].rigidly = false;
+        system.stiffGroups[system.joints[j].group] = 0;
+    }
+    --system.directCount;
+    if (direct != system.directCount) std::swap(system.direct[direct], system.direct[system.directCount]);
+    ++system.fallbacks;
+}
 
 void gatherJoints(JointTable& table, const BodyTable& bodies, const MotionTable& motions, JointSystem& system)
 {

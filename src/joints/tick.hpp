@@ -16,6 +16,7 @@ struct JointSystem {
     std::vector<JointRows> joints;
     std::vector<std::uint32_t> groupOf;      // by row: of the bodies that joints tie together; or kNone
     std::vector<std::uint8_t> stiffGroups;   // by group: solved at once
+    std::vector<std::uint8_t> unevenGroups;  // by group: of masses that soft rows cannot be trusted with
     std::vector<DirectGroup> direct;         // the first `directCount` of them are those
     std::size_t directCount = 0;
     std::vector<std::uint8_t> lostGroups;    // by group: did not find where it goes in this tick
@@ -24,6 +25,7 @@ struct JointSystem {
     std::vector<BodyMotion<real>> velocities;   // scratch
     std::vector<BodyMotion<real>> before;    // by row, scratch
     std::vector<real> unrest, unrestBefore;  // by group, scratch   [m/s]
+    std::vector<real> fastest;               // by island, scratch  [m/s]
     std::vector<std::uint32_t> order;        // scratch
     std::vector<std::uint32_t> numbers;      // by row, scratch
     std::vector<std::size_t> members, bodies, placeOf;   // by group, scratch
@@ -43,6 +45,9 @@ void gatherJoints(JointTable& table, const BodyTable& bodies, const MotionTable&
 /// loads that their joints carry are added to `steady`.
 void bringInJoints(JointTable& table, const BodyTable& bodies, MotionTable& motions, JointSystem& system,
                    std::size_t firstRow);
+
+/// The group at place `direct` is not solved at once for the rest of the step, but joint by joint, softly.
+void soften(JointSystem& system, std::size_t direct);
 
 /// Errors, Jacobians and effective masses at the present poses.
 void measureJoints(JointTable& table, const BodyTable& bodies, const MotionTable& motions,

@@ -90,7 +90,7 @@ struct DoubleLane {
         for (int i = 0; i < kVectors; ++i) mask.v[i] = a.v[i] >= b.v[i];
         return mask;
     }
-    friend Mask operator==(DoubleLane a, DoubleLane b)
+    friend Mask isEqual(DoubleLane a, DoubleLane b)
     {
         Mask mask;
         for (int i = 0; i < kVectors; ++i) mask.v[i] = a.v[i] == b.v[i];
@@ -125,7 +125,7 @@ struct DoubleLane<1> {
     friend Mask operator<(DoubleLane a, DoubleLane b) { return {a.v < b.v}; }
     friend Mask operator>(DoubleLane a, DoubleLane b) { return {a.v > b.v}; }
     friend Mask operator>=(DoubleLane a, DoubleLane b) { return {a.v >= b.v}; }
-    friend Mask operator==(DoubleLane a, DoubleLane b) { return {a.v == b.v}; }
+    friend Mask isEqual(DoubleLane a, DoubleLane b) { return {a.v == b.v}; }
 };
 
 template <int W>

@@ -73,7 +73,8 @@ struct alignas(W * sizeof(real)) Lane {
     friend LaneMask<W> operator<(Lane a, Lane b) { return {a.v < b.v}; }
     friend LaneMask<W> operator>(Lane a, Lane b) { return {a.v > b.v}; }
     friend LaneMask<W> operator>=(Lane a, Lane b) { return {a.v >= b.v}; }
-    friend LaneMask<W> operator==(Lane a, Lane b) { return {a.v == b.v}; }
+    // Not ==, which tells of vectors of lanes whether all are the same.
+    friend LaneMask<W> isEqual(Lane a, Lane b) { return {a.v == b.v}; }
 };
 
 /// One lane is one number: g++ 12 loses stores of vectors of one element.
@@ -105,7 +106,7 @@ struct Lane<1> {
     friend LaneMask<1> operator<(Lane a, Lane b) { return {{a.v[0] < b.v[0] ? -1 : 0}}; }
     friend LaneMask<1> operator>(Lane a, Lane b) { return {{a.v[0] > b.v[0] ? -1 : 0}}; }
     friend LaneMask<1> operator>=(Lane a, Lane b) { return {{a.v[0] >= b.v[0] ? -1 : 0}}; }
-    friend LaneMask<1> operator==(Lane a, Lane b) { return {{a.v[0] == b.v[0] ? -1 : 0}}; }
+    friend LaneMask<1> isEqual(Lane a, Lane b) { return {{a.v[0] == b.v[0] ? -1 : 0}}; }
 };
 
 /// `a` where the condition holds, else `b`.
@@ -169,6 +170,13 @@ TAMIAS_INLINE LaneMask<W> maskOf(std::uint32_t bits)
         mask.v = (each & static_cast<Integer>(bits)) != 0;
     }
     return mask;
+}
+
+template <class T>
+    requires std::is_floating_point_v<T>
+bool isEqual(T a, T b)
+{
+    return a == b;
 }
 
 template <int W>

@@ -3,10 +3,14 @@
 
 #include "narrowphase/manifold.hpp"
 
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
 namespace tamias2d::inline TAMIAS_PRECISION {
+
+/// Contacts that are worth a thread's while, where little is done with each.
+inline constexpr std::size_t kContactGrain = 256;
 
 /// One point of a contact: where it is, what it carries, and what the solver prepared.
 struct ContactPointRow {

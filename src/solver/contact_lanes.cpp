@@ -34,6 +34,8 @@ public:
     void prepare(TickRows& rows, const StepContext& context, std::vector<std::uint32_t>& open) override;
     void findApproaching(const TickRows& rows, const StepContext& context, real fastest,
                          std::vector<std::uint32_t>& found) const override;
+    void keep() override { kept_ = blocks_; }
+    void restore() override { blocks_ = kept_; }
     int colors() const override { return static_cast<int>(colorEnds_.size()); }
     void pass(int color, TickRows& rows, const std::uint8_t* visited, std::uint8_t* unrest,
               real restless) override
@@ -70,6 +72,7 @@ private:
     StepContext context_;
     std::vector<std::uint32_t> laneOf_;      // by contact: block times W, plus lane
     std::vector<Block> blocks_;              // color by color
+    std::vector<Block> kept_;
     std::vector<Source> sources_;
     std::vector<std::size_t> colorEnds_;     // in blocks
     std::vector<std::uint8_t> kinds_;        // by contact: which of these lists it belongs to

@@ -53,6 +53,9 @@ public:
     /// speeds it changed by more than `restless` [m/s].
     virtual void pass(int color, TickRows& rows, const std::uint8_t* visited, std::uint8_t* unrest,
                       real restless) = 0;
+    /// Keeps all impulses, and gives them back as they were kept.
+    virtual void keep() = 0;
+    virtual void restore() = 0;
     /// The pass that undoes overlaps, and what that costs the velocities.
     virtual void push(int color, TickRows& rows, const StepContext& context, ClampCounts& clamps) = 0;
     virtual void repay(int color, TickRows& rows, const StepContext& context) = 0;

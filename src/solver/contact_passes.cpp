@@ -8,8 +8,6 @@
 namespace tamias2d::inline TAMIAS_PRECISION {
 namespace {
 
-constexpr std::size_t kGrain = 256;   // contacts
-
 void prepareLoose(Contact& c, const MotionTable& motions)
 {
     prepareContact(c, motions.rows[c.rowA], motions.rows[c.rowB]);
@@ -40,7 +38,7 @@ void ContactPasses::begin(ContactTable& contacts, const MotionTable& motions, co
     loose_.clear();
     isLoose_.resize(contacts.rows.size());
     inLane_.assign(contacts.rows.size(), 0);
-    parallel_.forEach(contacts.rows.size(), kGrain, [&](const Chunk& chunk) {
+    parallel_.forEach(contacts.rows.size(), kContactGrain, [&](const Chunk& chunk) {
         for (std::size_t i = chunk.begin; i < chunk.end; ++i) {
             Contact& c = contacts.rows[i];
             c.impacts = 0;
@@ -79,7 +77,7 @@ void ContactPasses::fillLanes(ContactTable& contacts, const MotionTable& motions
     constexpr std::uint8_t kPlain = 2;
     list_.swap(loose_);
     loose_.clear();
-    parallel_.forEach(list_.size(), kGrain, [&](const Chunk& chunk) {
+    parallel_.forEach(list_.size(), kContactGrain, [&](const Chunk& chunk) {
         for (std::size_t k = chunk.begin; k < chunk.end; ++k) {
             const std::uint32_t i = list_[k];
             Contact& c = contacts.rows[i];
@@ -194,6 +192,20 @@ void ContactPasses::solve(ContactTable& contacts, MotionTable& motions, TickRows
             c.stepImpulse += point.normalImpulse * c.normal + point.tangentImpulse * perpendicular(c.normal);
         }
     }
+}
+
+void ContactPasses::keep(const ContactTable& contacts)
+{
+    lanes_->keep();
+    sortLoose();
+    kept_.clear();
+    for (const std::uint32_t i : loose_) kept_.push_back(contacts.rows[i]);
+}
+
+void ContactPasses::restore(ContactTable& contacts)
+{
+    lanes_->restore();
+    for (std::size_t k = 0; k < loose_.size(); ++k) contacts.rows[loose_[k]] = kept_[k];
 }
 
 void ContactPasses::pushApart(ContactTable& contacts, MotionTable& motions, TickRows& rows,

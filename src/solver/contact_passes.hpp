@@ -54,6 +54,9 @@ public:
     /// Each pass goes over the joints first, if there are any.
     void solve(ContactTable& contacts, MotionTable& motions, TickRows& rows, const StepContext& context,
                const JointWorld* world = nullptr, JointSystem* joints = nullptr);
+    /// Before passes that may have to be taken back: keeps the impulses. `restore` gives them back.
+    void keep(const ContactTable& contacts);
+    void restore(ContactTable& contacts);
     /// Displacements that undo overlaps, in rows.pushes. They leave velocities alone, but for repayPush.
     void pushApart(ContactTable& contacts, MotionTable& motions, TickRows& rows, const StepContext& context,
                    ClampCounts& clamps);
@@ -70,6 +73,7 @@ private:
     std::vector<std::uint32_t> colorEnds_;  // of those, in places
     std::vector<std::uint32_t> list_;
     std::vector<std::uint8_t> unrest_, unrestBefore_;  // by island
+    std::vector<Contact> kept_;  // the loose ones, in their order
 
     bool leaveLane(std::uint32_t contact, Contact& c);
     void addLoose(std::uint32_t contact);

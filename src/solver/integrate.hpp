@@ -27,7 +27,7 @@ template <int W>
 void kickHalf(Lane<W>& velocity, DoubleLane<W>& fine, Lane<W> acceleration, Lane<W> steady,
               DoubleLane<W> keep, DoubleLane<W> kickTime)
 {
-    fine = select(toDouble(toReal(fine) == velocity), fine, toDouble(velocity));
+    fine = select(toDouble(isEqual(toReal(fine), velocity)), fine, toDouble(velocity));
     fine = keep * fine + kickTime * toDouble(acceleration) + DoubleLane<W>(0.5) * toDouble(steady);
     velocity = toReal(fine);
 }

@@ -92,6 +92,61 @@ void flattenJoints(const JointWorld& world, JointSystem& system, std::vector<Lan
             visitGroup(system.direct[d], system, world.motions.rows, velocities);
 }
 
+namespace {
+
+// Of the fastest point of a body.
+real speedOf(const Motion& m, const LaneRow& velocity)
+{
+    return length(Vec2{velocity.x, velocity.y}) + absolute(velocity.z) * m.extent;
+}
+
+// What motors may add to that.
+real driveOf(const JointSystem& system, const DirectGroup& group)
+{
+    real sum = 0;
+    for (const std::uint32_t j : group.joints) {
+        const JointRows& joint = system.joints[j];
+        for (int i = 0; i < joint.count; ++i) {
+            const ConstraintRow& row = joint.rows[i];
+            sum += absolute(row.speed) * (row.angular ? joint.reach : real(1));
+        }
+    }
+    return sum;
+}
+
+}  // namespace
+
+bool softenThrown(JointSystem& system, const std::vector<Motion>& motions, const Islands& islands,
+                  const std::vector<LaneRow>& before, const std::vector<LaneRow>& after,
+                  const StepContext& context)
+{
+    if (system.directCount == 0) return false;
+    constexpr real kThrown = 4;  // times the fastest so far: more than a whip gains in a tick
+    std::vector<real>& fastest = system.fastest;
+    fastest.assign(islands.count(), 0);
+    real driven = 0;  // of bodies that nothing can push
+    for (std::size_t i = 0; i < motions.size(); ++i) {
+        const std::uint32_t island = islands.islandOf[i];
+        real& most = island == Islands::kNone ? driven : fastest[island];
+        most = maximum(most, speedOf(motions[i], before[i]));
+    }
+    bool thrown = false;
+    for (std::size_t d = system.directCount; d-- > 0;) {
+        const DirectGroup& group = system.direct[d];
+        if (group.rows.empty() || system.unevenGroups[system.joints[group.joints.front()].group]) continue;
+        const std::uint32_t island = islands.islandOf[group.rows.front()];
+        const real known = (island == Islands::kNone ? real(0) : fastest[island]) + driven;
+        const real bound = kThrown * (known + driveOf(system, group)) + context.lengthUnit;
+        const bool within = std::all_of(group.rows.begin(), group.rows.end(), [&](std::uint32_t row) {
+            return speedOf(motions[row], after[row]) <= bound;
+        });
+        if (within) continue;
+        soften(system, d);
+        thrown = true;
+    }
+    return thrown;
+}
+
 void settleJoints(JointSystem& system, std::vector<Motion>& rows, std::vector<TickChange>& changes,
                   const StepContext& context)
 {

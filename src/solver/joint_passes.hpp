@@ -29,6 +29,14 @@ void passOverJoints(const JointWorld& world, JointSystem& system, real restless,
 /// a linkage, joints are asked to move nothing apart instead, and what they did is not carried on.
 void flattenJoints(const JointWorld& world, JointSystem& system, std::vector<LaneRow>& velocities);
 
+/// Where a group solved at once is pulled straight, next to nothing holds its rows apart, and it may be
+/// thrown farther than any speed at hand can tell: those groups are solved softly from here on. `before` and
+/// `after` are the velocities of all rows around the passes of a tick; returns whether there was such a
+/// group.
+bool softenThrown(JointSystem& system, const std::vector<Motion>& motions, const Islands& islands,
+                  const std::vector<LaneRow>& before, const std::vector<LaneRow>& after,
+                  const StepContext& context);
+
 /// After the second kick: what is tied together does not go on moving apart. Adds what that changes to
 /// `changes` and to `steady`.
 void settleJoints(JointSystem& system, std::vector<Motion>& rows, std::vector<TickChange>& changes,

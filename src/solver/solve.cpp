@@ -77,6 +77,32 @@ std::uint32_t accelerateAfterDrift(SolverStage& stage, const StepContext& contex
     return faults;
 }
 
+// All passes of a tick. Where they throw a group of joints that is solved at once, they are done again
+// without that.
+void passOver(SolverStage& stage, const JointWorld& world)
+{
+    SolverScratch& scratch = stage.scratch;
+    std::vector<LaneRow>& velocities = scratch.rows.velocities;
+    const bool mayThrow = stage.system.directCount > 0;
+    if (mayThrow) {
+        scratch.passes.keep(stage.contacts);
+        scratch.before = velocities;
+    }
+    for (;;) {
+        if (!stage.system.empty())
+            startJoints(stage.joints, stage.world.bodies, stage.motions, world.context, stage.system);
+        scratch.passes.solve(stage.contacts, stage.motions, scratch.rows, world.context, &world,
+                             &stage.system);
+        if (!mayThrow || !softenThrown(stage.system, stage.motions.rows, stage.islands, scratch.before,
+                                       velocities, world.context))
+            return;
+        scratch.passes.restore(stage.contacts);
+        velocities = scratch.before;
+        for (std::size_t i = 0; i < stage.motions.rows.size(); ++i)
+            setVelocity(stage.motions.rows[i], velocityOf(velocities[i]));
+    }
+}
+
 // From the passes to the end of the tick: together, unless forces or joints depend on where all bodies are in
 // between. Returns how many bodies were too fast.
 std::uint32_t driftAll(SolverStage& stage, const StepContext& context, bool together)
@@ -172,10 +198,7 @@ SolverCounts solve(SolverStage& stage, const StepContext& context)
             scratch.bodies.kick(bodiesOf(chunk, rows, lanes), context, scratch.impacts.kicked);
         });
         const JointWorld jointWorld{stage.joints, stage.world.bodies, stage.motions, stage.islands, context};
-        if (hasJoints) {
-            startJoints(stage.joints, stage.world.bodies, stage.motions, context, stage.system);
-        }
-        scratch.passes.solve(stage.contacts, stage.motions, lanes, context, &jointWorld, &stage.system);
+        passOver(stage, jointWorld);
         if (hasJoints) {
             flattenJoints(jointWorld, stage.system, lanes.velocities);
             storeJointed(stage, lanes);

@@ -18,6 +18,7 @@ struct SolverScratch {
     CalmRows calmRows;
     std::vector<std::pair<Vec2, real>> held;   // by row: velocity and spin
     TickRows rows;
+    std::vector<LaneRow> before;               // by row: velocities before the passes
     ContactPasses passes;
 
     const BodyKernels& bodies;

@@ -30,15 +30,13 @@ void listMovable(const MotionTable& motions, std::vector<bool>& movable)
     for (const Motion& m : motions.rows) movable.push_back(m.moves());
 }
 
-constexpr std::size_t kGrain = 256;   // contacts
-
 // What is to be known of contacts, apart from all else that they hold.
 void readContacts(const ContactTable& contacts, const StepContext& context, GraphScratch& graph,
                   Parallel& parallel)
 {
     graph.pairs.resize(contacts.rows.size());
     graph.nearness.resize(contacts.rows.size());
-    parallel.forEach(contacts.rows.size(), kGrain, [&](const Chunk& chunk) {
+    parallel.forEach(contacts.rows.size(), kContactGrain, [&](const Chunk& chunk) {
         for (std::size_t k = chunk.begin; k < chunk.end; ++k) {
             const Contact& c = contacts.rows[k];
             bool linked = false;
@@ -82,7 +80,7 @@ void markCrowds(ContactTable& contacts, const Tuning& tuning, GraphScratch& grap
         const std::uint32_t island = islands.islandOf[row];
         return island == Islands::kNone ? 0u : islands.sizeOf[island];
     };
-    parallel.forEach(contacts.rows.size(), kGrain, [&](const Chunk& chunk) {
+    parallel.forEach(contacts.rows.size(), kContactGrain, [&](const Chunk& chunk) {
         for (std::size_t k = chunk.begin; k < chunk.end; ++k) {
             const RowPair& pair = graph.pairs[k];
             contacts.rows[k].crowded =
@@ -97,8 +95,8 @@ std::uint32_t findTouches(ContactTable& contacts, const Tuning& tuning, std::vec
                           std::vector<std::uint32_t>& counts, Parallel& parallel)
 {
     changes.resize(contacts.rows.size());
-    counts.assign(Parallel::chunksOf(contacts.rows.size(), kGrain), 0);
-    parallel.forEach(contacts.rows.size(), kGrain, [&](const Chunk& chunk) {
+    counts.assign(Parallel::chunksOf(contacts.rows.size(), kContactGrain), 0);
+    parallel.forEach(contacts.rows.size(), kContactGrain, [&](const Chunk& chunk) {
         for (std::size_t k = chunk.begin; k < chunk.end; ++k) {
             Contact& c = contacts.rows[k];
             const bool touches = isTouching(c, tuning);
