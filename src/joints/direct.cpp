@@ -21,7 +21,7 @@ constexpr double kTurned = 1e-9;  // of a speed: what may be left where a force 
 constexpr int kRepeats = 3;  // of the whole, each from the impulses of the last
 
 // Of each row, two bits.
-enum RowState : unsigned { kFree, kAtLow, kAtHigh, kTogether };
+enum RowState : unsigned { Free, AtLow, AtHigh, Together };
 
 // What a row answers: its impulse is `at - slope * (J v)`, held within its bounds.
 struct Answer {
@@ -146,13 +146,13 @@ bool DirectSolver::answer()
             const double low = static_cast<double>(visit.low), high = static_cast<double>(visit.high);
             impulse(j, i) = clamp(wanted[i], low, high);
             const bool isHigh = wanted[i] >= high || !(low < high);
-            const unsigned state = isHigh ? kAtHigh : wanted[i] <= low ? kAtLow : kFree;
+            const unsigned state = isHigh ? AtHigh : wanted[i] <= low ? AtLow : Free;
             states = static_cast<std::uint16_t>(states | state << 2 * i);
             if (!row.pairBound) continue;
             const bool bound = length(DVec2{wanted[i - 1], wanted[i]}) > high;
             answerPair(j, i, wanted);
             states = static_cast<std::uint16_t>((states & ~(15u << 2 * (i - 1))) |
-                                                (bound ? kTogether * 5u : kFree * 5u) << 2 * (i - 1));
+                                                (bound ? Together * 5u : Free * 5u) << 2 * (i - 1));
             turns_ = turns_ || bound;
         }
         same = same && states == group_.states[j];
@@ -211,8 +211,8 @@ void DirectSolver::addRows(std::size_t j)
     const JointRows& rows = joint(j);
     for (int i = 0; i < rows.count; ++i) {
         const unsigned state = group_.states[j] >> 2 * i & 3u;
-        if (state == kTogether && rows.rows[i].pairBound) addPair(j, i);
-        if (state != kFree) continue;
+        if (state == Together && rows.rows[i].pairBound) addPair(j, i);
+        if (state != Free) continue;
         const double slope = answerOf(rows.rows[i], rows.visits[i], 0).slope;
         if (slope > 0) addRow(rows.rows[i].j, group_.nodes[j].first, group_.nodes[j].second, slope);
     }

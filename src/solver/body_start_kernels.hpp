@@ -29,9 +29,10 @@ bool limitSteady(FourLanes<W>& steady, const StepContext& context)
 // over contacts.
 template <int W>
 LaneMask<W> straysOf(const FourLanes<W>& pose, const FourLanes<W>& velocity, Lane<W> extent,
-                     const FourLanes<W>& start, const FourLanes<W>& offset, FourLanes<W>& way, Lane<W> t,
-                     Lane<W> rest, Lane<W> h)
+                     const FourLanes<W>& start, const FourLanes<W>& offset, FourLanes<W>& way,
+                     const TickTime& time, Lane<W> h)
 {
+    const Lane<W> t(time.start), rest(time.rest);
     const Lane<W> half = t * t / Lane<W>(real(2));
     const Lane<W> off =
         sumOf(pose.x - offset.x - t * start.x - half * way.x, pose.y - offset.y - t * start.y - half * way.y);
@@ -101,8 +102,7 @@ real startTick(const BodyRows& bodies, const StepContext& context, const TickTim
         const LaneMask<W> moves = isMovable(masses);
         const LaneMask<W> leave = straysOf(
             load<W>(rows.poses.data(), 0, run), velocity, masses.w, load<W>(rows.predicted.data(), 0, run),
-            load<W>(rows.predicted.data(), offsetof(PredictedWay, offset), run), way, Wide(time.start),
-            Wide(time.rest), h);
+            load<W>(rows.predicted.data(), offsetof(PredictedWay, offset), run), way, time, h);
         store<W>(way, rows.predicted.data(), kWay, run);
         if (!any(leave & moves)) return;
         const std::uint32_t found = bitsOf(leave & moves) & run.valid();
