@@ -60,6 +60,7 @@ private:
 
     void load(const std::vector<BodyMotion<real>>& velocities);
     double speed(std::size_t j, const ConstraintRow& row) const;
+    double wantedBy(std::size_t j, int i) const;
     bool answer();
     void answerPair(std::size_t j, int second, const double (&wanted)[JointRows::kMost]);
     bool factor();
@@ -127,6 +128,15 @@ double DirectSolver::speed(std::size_t j, const ConstraintRow& row) const
     return part(a, rows.rowA, row.j.linearA, row.j.turnA) + part(b, rows.rowB, row.j.linearB, row.j.turnB);
 }
 
+// The impulse that a row answers to the velocity at hand, were it not for its bounds.
+double DirectSolver::wantedBy(std::size_t j, int i) const
+{
+    const JointRows& rows = all_[group_.joints[j]];
+    const double before = group_.before[j * JointRows::kMost + static_cast<std::size_t>(i)];
+    const Answer a = answerOf(rows.rows[i], rows.visits[i], before);
+    return a.at - a.slope * speed(j, rows.rows[i]);
+}
+
 // The impulses that the rows answer to the velocity at hand; true if each is as free as it was, or at the
 // same bound.
 bool DirectSolver::answer()
@@ -140,9 +150,7 @@ bool DirectSolver::answer()
         for (int i = 0; i < rows.count; ++i) {
             const ConstraintRow& row = rows.rows[i];
             const RowVisit& visit = rows.visits[i];
-            const Answer a =
-                answerOf(row, visit, group_.before[j * JointRows::kMost + static_cast<std::size_t>(i)]);
-            wanted[i] = a.at - a.slope * speed(j, row);
+            wanted[i] = wantedBy(j, i);
             const double low = static_cast<double>(visit.low), high = static_cast<double>(visit.high);
             impulse(j, i) = clamp(wanted[i], low, high);
             const bool isHigh = wanted[i] >= high || !(low < high);
@@ -226,14 +234,7 @@ void DirectSolver::addPair(std::size_t j, int second)
     const DVec2 force{impulse(j, second - 1), impulse(j, second)};
     const double strength = length(force);
     if (!(strength > 0)) return;
-    double wanted[2];
-    for (int i = 0; i < 2; ++i) {
-        const int k = second - 1 + i;
-        const std::size_t place = j * JointRows::kMost + static_cast<std::size_t>(k);
-        const Answer a = answerOf(rows.rows[k], rows.visits[k], group_.before[place]);
-        wanted[i] = a.at - a.slope * speed(j, rows.rows[k]);
-    }
-    const double part = strength / length(DVec2{wanted[0], wanted[1]});
+    const double part = strength / length(DVec2{wantedBy(j, second - 1), wantedBy(j, second)});
     const double slope = answerOf(y, rows.visits[second], 0).slope * part;
     const auto alongX = static_cast<real>(-force.y / strength),
                alongY = static_cast<real>(force.x / strength);

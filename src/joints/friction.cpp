@@ -16,7 +16,7 @@ void measure(const FrictionJoint& kind, const JointPose& pose, JointRows& out)
 
 JointCoordinate coordinateOf(const FrictionJoint&, const JointPose& pose)
 {
-    return {pose.angle, turnJacobian()};
+    return turnOf(pose);
 }
 
 }  // namespace tamias2d::inline TAMIAS_PRECISION

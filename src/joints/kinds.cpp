@@ -49,6 +49,12 @@ void addPoint(const JointPose& pose, JointRows& out)
     out.add(RowKind::Rigid, JointSlot::kBlock + 1, pointJacobian({0, 1}, pose), pose.between.y, false);
 }
 
+void addSlide(Vec2 axis, const JointPose& pose, JointRows& out)
+{
+    const Vec2 across = perpendicular(axis);
+    out.add(RowKind::Rigid, JointSlot::kBlock, slideJacobian(across, pose), dot(across, pose.between), false);
+}
+
 void addSpring(const JointSpring& spring, int slot, const Jacobian& j, double position, real mass,
                bool angular, JointRows& out)
 {

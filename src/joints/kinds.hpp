@@ -109,8 +109,22 @@ inline Jacobian turnJacobian()
     return {{}, {}, -1, 1};
 }
 
+/// Where B's anchor is along an axis that is fixed in A, and how it moves along it.
+inline JointCoordinate slideAlong(Vec2 axis, const JointPose& pose)
+{
+    return {static_cast<double>(dot(axis, pose.between)), slideJacobian(axis, pose)};
+}
+
+/// How B has turned against A.
+inline JointCoordinate turnOf(const JointPose& pose)
+{
+    return {pose.angle, turnJacobian()};
+}
+
 /// Two rigid rows: the points stay together.
 void addPoint(const JointPose& pose, JointRows& out);
+/// One rigid row: B's anchor stays on an axis that is fixed in A.
+void addSlide(Vec2 axis, const JointPose& pose, JointRows& out);
 
 /// What may stand at a joint's free coordinate, at `position` along `j`.
 void addSpring(const JointSpring& spring, int slot, const Jacobian& j, double position, real mass,

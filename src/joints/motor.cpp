@@ -41,7 +41,7 @@ void measure(const MotorJoint& kind, const JointPose& pose, JointRows& out)
 
 JointCoordinate coordinateOf(const MotorJoint&, const JointPose& pose)
 {
-    return {pose.angle, turnJacobian()};
+    return turnOf(pose);
 }
 
 }  // namespace tamias2d::inline TAMIAS_PRECISION

@@ -22,7 +22,7 @@ void measure(const RatchetJoint& kind, const JointPose& pose, JointRows& out)
 
 JointCoordinate coordinateOf(const RatchetJoint&, const JointPose& pose)
 {
-    return {pose.angle, turnJacobian()};
+    return turnOf(pose);
 }
 
 }  // namespace tamias2d::inline TAMIAS_PRECISION

@@ -14,7 +14,7 @@ void measure(const RevoluteJoint& kind, const JointPose& pose, JointRows& out)
 
 JointCoordinate coordinateOf(const RevoluteJoint&, const JointPose& pose)
 {
-    return {pose.angle, turnJacobian()};
+    return turnOf(pose);
 }
 
 }  // namespace tamias2d::inline TAMIAS_PRECISION

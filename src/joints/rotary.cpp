@@ -15,7 +15,7 @@ void measure(const RotaryJoint& kind, const JointPose& pose, JointRows& out)
 
 JointCoordinate coordinateOf(const RotaryJoint&, const JointPose& pose)
 {
-    return {pose.angle, turnJacobian()};
+    return turnOf(pose);
 }
 
 }  // namespace tamias2d::inline TAMIAS_PRECISION

@@ -23,7 +23,7 @@ void measure(const WeldJoint& kind, const JointPose& pose, JointRows& out)
 
 JointCoordinate coordinateOf(const WeldJoint&, const JointPose& pose)
 {
-    return {pose.angle, turnJacobian()};
+    return turnOf(pose);
 }
 
 }  // namespace tamias2d::inline TAMIAS_PRECISION

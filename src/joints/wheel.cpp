@@ -5,11 +5,10 @@ namespace tamias2d::inline TAMIAS_PRECISION {
 
 void measure(const WheelJoint& kind, const JointPose& pose, JointRows& out)
 {
-    const Vec2 axis = axisIn(kind.axis, pose), across = perpendicular(axis);
-    out.add(RowKind::Rigid, JointSlot::kBlock, slideJacobian(across, pose), dot(across, pose.between), false);
+    const Vec2 axis = axisIn(kind.axis, pose);
+    addSlide(axis, pose, out);
 
-    const Jacobian along = slideJacobian(axis, pose);
-    const auto way = static_cast<double>(dot(axis, pose.between));
+    const auto [way, along] = slideAlong(axis, pose);
     if (kind.spring) addSpring(*kind.spring, JointSlot::kSpring, along, way, pose.mass, false, out);
     addMotor(kind.motor, turnJacobian(), true, out);
     addLimits(kind.limits, along, way, false, out);
@@ -17,8 +16,7 @@ void measure(const WheelJoint& kind, const JointPose& pose, JointRows& out)
 
 JointCoordinate coordinateOf(const WheelJoint& kind, const JointPose& pose)
 {
-    const Vec2 axis = axisIn(kind.axis, pose);
-    return {static_cast<double>(dot(axis, pose.between)), slideJacobian(axis, pose)};
+    return slideAlong(axisIn(kind.axis, pose), pose);
 }
 
 }  // namespace tamias2d::inline TAMIAS_PRECISION

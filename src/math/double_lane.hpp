@@ -138,6 +138,7 @@ DoubleLane<W> select(DoubleMask<W> condition, DoubleLane<W> a, DoubleLane<W> b)
         return a;
     }
 }
+
 namespace double_lanes {
 
 // The Part-th half of a vector, with elements of another type.
@@ -153,70 +154,69 @@ TAMIAS_INLINE To joined(From a, From b, std::integer_sequence<int, I...>)
     return __builtin_shufflevector(a, b, I...);
 }
 
+// The elements of a vector, as those of the one or two vectors of `Wide`.
+template <class Wide, int W, class From>
+TAMIAS_INLINE Wide widened(From a)
+{
+    using Vector = typename Wide::Vector;
+    Wide wide;
+    if constexpr (Wide::kVectors == 1) {
+        wide.v[0] = __builtin_convertvector(a, Vector);
+    } else {
+        using Half = std::make_integer_sequence<int, W / 2>;
+        wide.v[0] = convertedHalf<Vector, 0>(a, Half{});
+        wide.v[1] = convertedHalf<Vector, 1>(a, Half{});
+    }
+    return wide;
+}
+// And back; `Element` is that of `Vector`.
+template <class Vector, class Element, int W, class Wide>
+TAMIAS_INLINE Vector narrowed(const Wide& a)
+{
+    if constexpr (Wide::kVectors == 1) {
+        return __builtin_convertvector(a.v[0], Vector);
+    } else {
+        using Half = typename VectorOf<Element, W* int{sizeof(Element)} / 2>::Type;
+        return joined<Vector>(__builtin_convertvector(a.v[0], Half), __builtin_convertvector(a.v[1], Half),
+                              std::make_integer_sequence<int, W>{});
+    }
+}
+
 }  // namespace double_lanes
 
 /// Lanes of reals as doubles, and the reverse; likewise what is true of them.
 template <int W>
 DoubleLane<W> toDouble(Lane<W> a)
 {
-    DoubleLane<W> wide;
-    if constexpr (W == 1) {
-        wide.v = static_cast<double>(a.v[0]);
-    } else if constexpr (sizeof(real) == sizeof(double)) {
-        wide.v[0] = __builtin_convertvector(a.v, typename DoubleLane<W>::Vector);
-    } else {
-        using Half = std::make_integer_sequence<int, W / 2>;
-        using Vector = typename DoubleLane<W>::Vector;
-        wide.v[0] = double_lanes::convertedHalf<Vector, 0>(a.v, Half{});
-        wide.v[1] = double_lanes::convertedHalf<Vector, 1>(a.v, Half{});
-    }
-    return wide;
+    if constexpr (W == 1)
+        return static_cast<double>(a.v[0]);
+    else
+        return double_lanes::widened<DoubleLane<W>, W>(a.v);
 }
 template <int W>
 Lane<W> toReal(DoubleLane<W> a)
 {
-    if constexpr (W == 1) {
+    if constexpr (W == 1)
         return Lane<1>(static_cast<real>(a.v));
-    } else if constexpr (sizeof(real) == sizeof(double)) {
-        return Lane<W>(__builtin_convertvector(a.v[0], typename Lane<W>::Vector));
-    } else {
-        using Half = typename VectorOf<real, W* int{sizeof(real)} / 2>::Type;
-        using Whole = typename Lane<W>::Vector;
-        return Lane<W>(double_lanes::joined<Whole>(__builtin_convertvector(a.v[0], Half),
-                                                   __builtin_convertvector(a.v[1], Half),
-                                                   std::make_integer_sequence<int, W>{}));
-    }
+    else
+        return Lane<W>(double_lanes::narrowed<typename Lane<W>::Vector, real, W>(a));
 }
 template <int W>
 DoubleMask<W> toDouble(LaneMask<W> a)
 {
-    DoubleMask<W> wide;
-    if constexpr (W == 1) {
-        wide.v = a.v[0] != 0;
-    } else if constexpr (sizeof(real) == sizeof(double)) {
-        wide.v[0] = a.v;
-    } else {
-        using Half = std::make_integer_sequence<int, W / 2>;
-        using Vector = typename DoubleMask<W>::Vector;
-        wide.v[0] = double_lanes::convertedHalf<Vector, 0>(a.v, Half{});
-        wide.v[1] = double_lanes::convertedHalf<Vector, 1>(a.v, Half{});
-    }
-    return wide;
+    if constexpr (W == 1)
+        return {a.v[0] != 0};
+    else
+        return double_lanes::widened<DoubleMask<W>, W>(a.v);
 }
 template <int W>
 LaneMask<W> toReal(DoubleMask<W> a)
 {
-    if constexpr (W == 1) {
+    using Mask = LaneMask<W>;
+    if constexpr (W == 1)
         return {{a.v ? -1 : 0}};
-    } else if constexpr (sizeof(real) == sizeof(double)) {
-        return {a.v[0]};
-    } else {
-        using Half = typename VectorOf<std::int32_t, W* int{sizeof(real)} / 2>::Type;
-        using Whole = typename LaneMask<W>::Vector;
-        return {double_lanes::joined<Whole>(__builtin_convertvector(a.v[0], Half),
-                                            __builtin_convertvector(a.v[1], Half),
-                                            std::make_integer_sequence<int, W>{})};
-    }
+    else
+        return {double_lanes::narrowed<typename Mask::Vector, typename Mask::Integer, W>(a)};
 }
 
 template <int W>

@@ -100,6 +100,7 @@ private:
     }
     void sortByKind(const ContactTable& contacts);
     void leaveEmpty(std::size_t slot);
+    std::size_t closeUp(std::uint32_t* list, std::size_t first, std::size_t end) const;
     void place(std::uint32_t contact, const Contact& row, std::size_t slot, const MotionTable& motions,
                const Islands& islands);
 };
@@ -161,12 +162,24 @@ void ContactLanesOf<W>::sortByKind(const ContactTable& contacts)
     }
 }
 
+// The chunks of the blocks from `first` on have listed counts_ contacts, each chunk where its lanes begin:
+// they move up behind the `end` that are there. Returns how many that makes.
+template <int W>
+std::size_t ContactLanesOf<W>::closeUp(std::uint32_t* list, std::size_t first, std::size_t end) const
+{
+    for (std::size_t chunk = 0; chunk < counts_.size(); ++chunk) {
+        const std::uint32_t* const from = list + W * (first + chunk * kGrain);
+        end = static_cast<std::size_t>(std::copy(from, from + counts_[chunk], list + end) - list);
+    }
+    return end;
+}
+
 template <int W>
 void ContactLanesOf<W>::prepare(TickRows& rows, const StepContext& context, std::vector<std::uint32_t>& open)
 {
     solved_ = false;
     const std::size_t before = open.size();
-    std::size_t end = before;
+    std::size_t end = 0;
     open.resize(before + W * blocks_.size());
     for (int color = 0; color < colors(); ++color) {
         counts_.assign(Parallel::chunksOf(countOf(color), kGrain), 0);
@@ -175,13 +188,9 @@ void ContactLanesOf<W>::prepare(TickRows& rows, const StepContext& context, std:
             counts_[chunk] = Kernels::prepare(blocks_.data() + first, sources_.data() + first, count, rows,
                                               context, room + W * first);
         });
-        for (std::size_t chunk = 0; chunk < counts_.size(); ++chunk) {
-            const std::uint32_t* const from = room + W * (firstOf(color) + chunk * kGrain);
-            end = static_cast<std::size_t>(std::copy(from, from + counts_[chunk], open.data() + end) -
-                                           open.data());
-        }
+        end = closeUp(room, firstOf(color), end);
     }
-    open.resize(end);
+    open.resize(before + end);
 }
 
 template <int W>
@@ -195,13 +204,7 @@ void ContactLanesOf<W>::findApproaching(const TickRows& rows, const StepContext&
             blocks_.data() + chunk.begin, sources_.data() + chunk.begin, chunk.end - chunk.begin, rows,
             context, fastest, found.data() + W * chunk.begin);
     });
-    std::size_t end = 0;
-    for (std::size_t chunk = 0; chunk < counts_.size(); ++chunk) {
-        const std::uint32_t* const from = found.data() + W * chunk * kGrain;
-        end = static_cast<std::size_t>(std::copy(from, from + counts_[chunk], found.data() + end) -
-                                       found.data());
-    }
-    found.resize(end);
+    found.resize(closeUp(found.data(), 0, 0));
 }
 
 template <int W>

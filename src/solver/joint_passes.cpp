@@ -100,6 +100,12 @@ real speedOf(const Motion& m, const LaneRow& velocity)
     return length(Vec2{velocity.x, velocity.y}) + absolute(velocity.z) * m.extent;
 }
 
+// Soft rows cannot be trusted with uneven masses.
+bool mayBeSoftened(const JointSystem& system, const DirectGroup& group)
+{
+    return !group.rows.empty() && !system.unevenGroups[system.joints[group.joints.front()].group];
+}
+
 // What motors may add to that.
 real driveOf(const JointSystem& system, const DirectGroup& group)
 {
@@ -116,11 +122,17 @@ real driveOf(const JointSystem& system, const DirectGroup& group)
 
 }  // namespace
 
+bool mayThrow(const JointSystem& system)
+{
+    return std::any_of(system.direct.begin(),
+                       system.direct.begin() + static_cast<std::ptrdiff_t>(system.directCount),
+                       [&](const DirectGroup& group) { return mayBeSoftened(system, group); });
+}
+
 bool softenThrown(JointSystem& system, const std::vector<Motion>& motions, const Islands& islands,
                   const std::vector<LaneRow>& before, const std::vector<LaneRow>& after,
                   const StepContext& context)
 {
-    if (system.directCount == 0) return false;
     constexpr real kThrown = 4;  // times the fastest so far: more than a whip gains in a tick
     std::vector<real>& fastest = system.fastest;
     fastest.assign(islands.count(), 0);
@@ -133,7 +145,7 @@ bool softenThrown(JointSystem& system, const std::vector<Motion>& motions, const
     bool thrown = false;
     for (std::size_t d = system.directCount; d-- > 0;) {
         const DirectGroup& group = system.direct[d];
-        if (group.rows.empty() || system.unevenGroups[system.joints[group.joints.front()].group]) continue;
+        if (!mayBeSoftened(system, group)) continue;
         const std::uint32_t island = islands.islandOf[group.rows.front()];
         const real known = (island == Islands::kNone ? real(0) : fastest[island]) + driven;
         const real bound = kThrown * (known + driveOf(system, group)) + context.lengthUnit;

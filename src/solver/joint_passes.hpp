@@ -29,6 +29,9 @@ void passOverJoints(const JointWorld& world, JointSystem& system, real restless,
 /// a linkage, joints are asked to move nothing apart instead, and what they did is not carried on.
 void flattenJoints(const JointWorld& world, JointSystem& system, std::vector<LaneRow>& velocities);
 
+/// Is there a group that softenThrown looks at?
+bool mayThrow(const JointSystem& system);
+
 /// Where a group solved at once is pulled straight, next to nothing holds its rows apart, and it may be
 /// thrown farther than any speed at hand can tell: those groups are solved softly from here on. `before` and
 /// `after` are the velocities of all rows around the passes of a tick; returns whether there was such a

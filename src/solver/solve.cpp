@@ -83,8 +83,8 @@ void passOver(SolverStage& stage, const JointWorld& world)
 {
     SolverScratch& scratch = stage.scratch;
     std::vector<LaneRow>& velocities = scratch.rows.velocities;
-    const bool mayThrow = stage.system.directCount > 0;
-    if (mayThrow) {
+    const bool isWatched = mayThrow(stage.system);
+    if (isWatched) {
         scratch.passes.keep(stage.contacts);
         scratch.before = velocities;
     }
@@ -93,8 +93,8 @@ void passOver(SolverStage& stage, const JointWorld& world)
             startJoints(stage.joints, stage.world.bodies, stage.motions, world.context, stage.system);
         scratch.passes.solve(stage.contacts, stage.motions, scratch.rows, world.context, &world,
                              &stage.system);
-        if (!mayThrow || !softenThrown(stage.system, stage.motions.rows, stage.islands, scratch.before,
-                                       velocities, world.context))
+        if (!isWatched || !softenThrown(stage.system, stage.motions.rows, stage.islands, scratch.before,
+                                        velocities, world.context))
             return;
         scratch.passes.restore(stage.contacts);
         velocities = scratch.before;

@@ -86,16 +86,29 @@ void addSpring(Checks& checks, const Units& units, const std::optional<JointSpri
     if (spring) addSpring(checks, units.name + "spring.", *spring, units.most, units.place);
 }
 
+template <class Kind>
+void addAnchors(Checks& checks, const std::string& name, const Kind& k, real lengthUnit)
+{
+    addAnchor(checks, name + "anchorA", k.anchorA, lengthUnit);
+    addAnchor(checks, name + "anchorB", k.anchorB, lengthUnit);
+}
+
+// What may stand at a kind's free coordinate.
+template <class Kind>
+void addFree(Checks& checks, const Units& units, const Kind& k)
+{
+    addLimits(checks, units, k.limits);
+    addMotor(checks, units, k.motor);
+    addSpring(checks, units, k.spring);
+}
+
 Complaint checkKind(const RevoluteJoint& k, real lengthUnit)
 {
     const Units units = turning("RevoluteJoint.");
     Checks checks;
-    addAnchor(checks, "RevoluteJoint.anchorA", k.anchorA, lengthUnit);
-    addAnchor(checks, "RevoluteJoint.anchorB", k.anchorB, lengthUnit);
+    addAnchors(checks, "RevoluteJoint.", k, lengthUnit);
     addAngle(checks, "RevoluteJoint.referenceAngle", k.referenceAngle);
-    addLimits(checks, units, k.limits);
-    addMotor(checks, units, k.motor);
-    addSpring(checks, units, k.spring);
+    addFree(checks, units, k);
     return checks.first();
 }
 
@@ -104,8 +117,7 @@ Complaint checkKind(const DistanceJoint& k, real lengthUnit)
     const Units units = sliding("DistanceJoint.", lengthUnit);
     const double least = kMinSize * static_cast<double>(lengthUnit);
     Checks checks;
-    addAnchor(checks, "DistanceJoint.anchorA", k.anchorA, lengthUnit);
-    addAnchor(checks, "DistanceJoint.anchorB", k.anchorB, lengthUnit);
+    addAnchors(checks, "DistanceJoint.", k, lengthUnit);
     checks.range("DistanceJoint.length", k.length, least, units.most,
                  "must be in [" + textOf(least) + ", " + textOf(units.most) + "] m");
     addLimits(checks, units, k.limits);
@@ -130,13 +142,10 @@ Complaint checkKind(const PrismaticJoint& k, real lengthUnit)
 {
     const Units units = sliding("PrismaticJoint.", lengthUnit);
     Checks checks;
-    addAnchor(checks, "PrismaticJoint.anchorA", k.anchorA, lengthUnit);
-    addAnchor(checks, "PrismaticJoint.anchorB", k.anchorB, lengthUnit);
+    addAnchors(checks, "PrismaticJoint.", k, lengthUnit);
     addAxis(checks, "PrismaticJoint.axis", k.axis);
     addAngle(checks, "PrismaticJoint.referenceAngle", k.referenceAngle);
-    addLimits(checks, units, k.limits);
-    addMotor(checks, units, k.motor);
-    addSpring(checks, units, k.spring);
+    addFree(checks, units, k);
     return checks.first();
 }
 
@@ -153,8 +162,7 @@ void addFactor(Checks& checks, const std::string& field, real value, double leas
 Complaint checkKind(const WeldJoint& k, real lengthUnit)
 {
     Checks checks;
-    addAnchor(checks, "WeldJoint.anchorA", k.anchorA, lengthUnit);
-    addAnchor(checks, "WeldJoint.anchorB", k.anchorB, lengthUnit);
+    addAnchors(checks, "WeldJoint.", k, lengthUnit);
     addAngle(checks, "WeldJoint.referenceAngle", k.referenceAngle);
     if (k.linear) addSpring(checks, "WeldJoint.linear.", *k.linear, 0, "m");
     if (k.angular) addSpring(checks, "WeldJoint.angular.", *k.angular, 0, "rad");
@@ -180,8 +188,7 @@ Complaint checkKind(const WheelJoint& k, real lengthUnit)
 {
     const Units way = sliding("WheelJoint.", lengthUnit);
     Checks checks;
-    addAnchor(checks, "WheelJoint.anchorA", k.anchorA, lengthUnit);
-    addAnchor(checks, "WheelJoint.anchorB", k.anchorB, lengthUnit);
+    addAnchors(checks, "WheelJoint.", k, lengthUnit);
     addAxis(checks, "WheelJoint.axis", k.axis);
     addLimits(checks, way, k.limits);
     addMotor(checks, turning("WheelJoint."), k.motor);
@@ -206,9 +213,7 @@ Complaint checkKind(const RotaryJoint& k, real)
     const Units units = turning("RotaryJoint.");
     Checks checks;
     addAngle(checks, "RotaryJoint.referenceAngle", k.referenceAngle);
-    addLimits(checks, units, k.limits);
-    addMotor(checks, units, k.motor);
-    addSpring(checks, units, k.spring);
+    addFree(checks, units, k);
     return checks.first();
 }
 
@@ -232,8 +237,7 @@ Complaint checkKind(const RackJoint& k, real lengthUnit)
 {
     const double unit = static_cast<double>(lengthUnit);
     Checks checks;
-    addAnchor(checks, "RackJoint.anchorA", k.anchorA, lengthUnit);
-    addAnchor(checks, "RackJoint.anchorB", k.anchorB, lengthUnit);
+    addAnchors(checks, "RackJoint.", k, lengthUnit);
     addAxis(checks, "RackJoint.axis", k.axis);
     addFactor(checks, "RackJoint.radius", k.radius, kMinSize * unit, kMaxSize * unit, " m");
     checks.range("RackJoint.offset", k.offset, -kMaxPhase * unit, kMaxPhase * unit,
@@ -245,8 +249,7 @@ Complaint checkKind(const PulleyJoint& k, real lengthUnit)
 {
     const double unit = static_cast<double>(lengthUnit);
     Checks checks;
-    addAnchor(checks, "PulleyJoint.anchorA", k.anchorA, lengthUnit);
-    addAnchor(checks, "PulleyJoint.anchorB", k.anchorB, lengthUnit);
+    addAnchors(checks, "PulleyJoint.", k, lengthUnit);
     checks.add(checkPosition("PulleyJoint.wheelA", k.wheelA, lengthUnit))
         .add(checkPosition("PulleyJoint.wheelB", k.wheelB, lengthUnit))
         .range("PulleyJoint.ratio", k.ratio, kLeastFactor, kMostFactor, "must be in [1e-3, 1e3]")
@@ -266,8 +269,7 @@ Complaint checkKind(const MotorJoint& k, real lengthUnit)
 {
     const Units way = sliding("MotorJoint.", lengthUnit), turn = turning("MotorJoint.");
     Checks checks;
-    addAnchor(checks, "MotorJoint.anchorA", k.anchorA, lengthUnit);
-    addAnchor(checks, "MotorJoint.anchorB", k.anchorB, lengthUnit);
+    addAnchors(checks, "MotorJoint.", k, lengthUnit);
     addAngle(checks, "MotorJoint.referenceAngle", k.referenceAngle);
     if (k.linear) addSpring(checks, "MotorJoint.linear.", *k.linear, 0, "m");
     if (k.angular) addSpring(checks, "MotorJoint.angular.", *k.angular, 0, "rad");

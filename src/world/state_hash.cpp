@@ -143,29 +143,32 @@ void add(Hasher& hash, const std::optional<JointSpring>& spring)
     for (const real value : {spring->frequency, spring->dampingRatio, spring->rest}) hash.add(value);
 }
 
-void add(Hasher& hash, const RevoluteJoint& k)
+// What may stand at a kind's free coordinate.
+template <class Kind>
+void addFree(Hasher& hash, const Kind& k)
 {
-    hash.add(k.referenceAngle);
     add(hash, k.limits);
     add(hash, k.motor);
     add(hash, k.spring);
 }
 
+void add(Hasher& hash, const RevoluteJoint& k)
+{
+    hash.add(k.referenceAngle);
+    addFree(hash, k);
+}
+
 void add(Hasher& hash, const DistanceJoint& k)
 {
     hash.add(k.length);
-    add(hash, k.limits);
-    add(hash, k.motor);
-    add(hash, k.spring);
+    addFree(hash, k);
 }
 
 void add(Hasher& hash, const PrismaticJoint& k)
 {
     add(hash, k.axis);
     hash.add(k.referenceAngle);
-    add(hash, k.limits);
-    add(hash, k.motor);
-    add(hash, k.spring);
+    addFree(hash, k);
 }
 
 void add(Hasher& hash, const WeldJoint& k)
@@ -186,9 +189,7 @@ void add(Hasher& hash, const TargetJoint& k)
 void add(Hasher& hash, const WheelJoint& k)
 {
     add(hash, k.axis);
-    add(hash, k.limits);
-    add(hash, k.motor);
-    add(hash, k.spring);
+    addFree(hash, k);
 }
 
 void add(Hasher& hash, const GrooveJoint& k)
@@ -199,9 +200,7 @@ void add(Hasher& hash, const GrooveJoint& k)
 void add(Hasher& hash, const RotaryJoint& k)
 {
     hash.add(k.referenceAngle);
-    add(hash, k.limits);
-    add(hash, k.motor);
-    add(hash, k.spring);
+    addFree(hash, k);
 }
 
 void add(Hasher& hash, const RatchetJoint& k)
