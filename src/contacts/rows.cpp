@@ -76,6 +76,12 @@ real impactThreshold(const Contact& contact, const Motion& a, const Motion& b, c
     return context.tuning.impactThreshold * (forces + contacts);
 }
 
+int mostImpacts(const Contact& contact, const StepContext& context)
+{
+    const int most = context.tuning.impactsPerContact;
+    return contact.restitution > 0 ? most : (most + 3) / 4;
+}
+
 namespace {
 
 // Velocity of B against A at the point.   [m/s]
@@ -89,16 +95,15 @@ Vec2 relativeVelocity(const ContactPointRow& point, const Motion& a, const Motio
 bool isLeftToImpacts(const Contact& contact, const ContactPointRow& point, real normalSpeed, real threshold,
                      const StepContext& context)
 {
-    return contact.restitution > 0 && !point.wasLoaded &&
-           contact.impacts < context.tuning.impactsPerContact && point.gap > -contact.restGap / 2 &&
-           normalSpeed < -threshold;
+    return contact.restitution > 0 && !point.wasLoaded && contact.impacts < mostImpacts(contact, context) &&
+           point.gap > -contact.restGap / 2 && normalSpeed < -threshold;
 }
 
 // Has an impact in this tick settled the contact? At its time it has; seen from the start of the tick
 // there remains what the bodies turn in between, and that is no approach.
 bool isSettledByImpact(const Contact& contact, const Motion& a, const Motion& b, const StepContext& context)
 {
-    if (contact.impacts == 0 || contact.impacts >= context.tuning.impactsPerContact) return false;
+    if (contact.impacts == 0 || contact.impacts >= mostImpacts(contact, context)) return false;
     for (int i = 0; i < contact.count; ++i) {
         const ContactPointRow& point = contact.points[i];
         if (point.wasLoaded || point.gap <= -contact.restGap / 2) return false;

@@ -41,6 +41,11 @@ real allowedApproach(const ContactPointRow& point, const StepContext& context);
 /// rests never bounces, and zero without such forces.   [m/s]
 real impactThreshold(const Contact& contact, const Motion& a, const Motion& b, const StepContext& context);
 
+/// How many impacts of a contact may act in a tick; what approaches after them is left to the passes. One
+/// that does not bounce and is hit again and again stands in a crowd, where stops follow each other without
+/// end, ever slower: the passes take it after a fourth of Tuning::impactsPerContact [ADR21].
+int mostImpacts(const Contact& contact, const StepContext& context);
+
 /// One pass over a contact: normal impulses, then friction on the slip they leave, then rolling
 /// resistance. Returns the greatest change of normal speed it made.   [m/s]
 real solveContact(Contact& contact, Motion& a, Motion& b, const StepContext& context);

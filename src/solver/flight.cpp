@@ -133,7 +133,7 @@ Impact nextImpact(const Contact& c, const ImpactPoint points[2], const FlyingPai
                   const StepContext& context)
 {
     Impact next;
-    if (c.impacts >= context.tuning.impactsPerContact) return next;
+    if (c.impacts >= mostImpacts(c, context)) return next;
     // What impacts of this tick have left of an approach is not the work of steady forces; but there is an
     // end to it, as friction at an impact may turn the bodies on towards each other by ever less.
     real threshold = impactThreshold(c, pair.a, pair.b, context);
