@@ -12,13 +12,9 @@ namespace {
 
 // The rest gap is a part of the smaller width; what cannot move does not count, as a ground may be
 // thinner than anything that rests on it.
-real restGapOf(const ContactWorld& world, const ShapeRow& a, const ShapeRow& b)
+real restGapOf(const ContactWorld& world, bool aDynamic, bool bDynamic, const Convex& a, const Convex& b)
 {
-    const bool aDynamic = world.bodies.rows[a.body].isDynamic();
-    const bool bDynamic = world.bodies.rows[b.body].isDynamic();
-    const real size = !aDynamic   ? b.convex.size
-                      : !bDynamic ? a.convex.size
-                                  : minimum(a.convex.size, b.convex.size);
+    const real size = !aDynamic ? b.size : !bDynamic ? a.size : minimum(a.size, b.size);
     return world.restGap * size;
 }
 
@@ -27,12 +23,15 @@ void refresh(const ContactWorld& world, Contact& contact)
 {
     const ShapeRow& a = world.shapes.rows[contact.shapeA];
     const ShapeRow& b = world.shapes.rows[contact.shapeB];
-    const Material &ma = a.def.material, &mb = b.def.material;
+    const Convex &ca = world.shapes.forms[a.form].convex, &cb = world.shapes.forms[b.form].convex;
+    const Material& ma = world.shapes.surfaces[a.surface].material;
+    const Material& mb = world.shapes.surfaces[b.surface].material;
     contact.rowA = world.motions.rowFor(a.body);
     contact.rowB = world.motions.rowFor(b.body);
-    contact.radiusA = a.convex.radius;
-    contact.radiusB = b.convex.radius;
-    contact.restGap = restGapOf(world, a, b);
+    contact.radiusA = ca.radius;
+    contact.radiusB = cb.radius;
+    contact.restGap = restGapOf(world, world.bodies.rows[a.body].isDynamic(),
+                                world.bodies.rows[b.body].isDynamic(), ca, cb);
     contact.friction =
         mixed(ma.friction, mb.friction, ma.frictionMixing, mb.frictionMixing, world.frictionRule);
     contact.restitution = mixed(ma.restitution, mb.restitution, ma.restitutionMixing, mb.restitutionMixing,
@@ -60,7 +59,8 @@ bool mayCollide(const ContactWorld& world, const ShapePair& pair)
 {
     const ShapeRow& a = world.shapes.rows[pair.a];
     const ShapeRow& b = world.shapes.rows[pair.b];
-    if (!shouldCollide(a.def.filter, b.def.filter)) return false;
+    const ShapeTable& shapes = world.shapes;
+    if (!shouldCollide(shapes.surfaces[a.surface].filter, shapes.surfaces[b.surface].filter)) return false;
     const bool canMove = world.bodies.rows[a.body].canMove() || world.bodies.rows[b.body].canMove();
     return canMove && !isUncoupled(world.uncoupled, a.body, b.body);
 }

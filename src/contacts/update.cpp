@@ -41,8 +41,16 @@ SweptPair sweptPairOf(const Contact& contact, const ShapeTable& shapes, const Mo
                       real invH)
 {
     const Position origin = originOf(a, b);
-    return {shapes.rows[contact.shapeA].convex, shapes.rows[contact.shapeB].convex,
-            predictedPath(a, origin, invH), predictedPath(b, origin, invH), contact.restGap};
+    return {shapes.convex(contact.shapeA), shapes.convex(contact.shapeB), predictedPath(a, origin, invH),
+            predictedPath(b, origin, invH), contact.restGap};
+}
+
+Aabb restingBounds(const BodyRow& body, const Convex& shape, real restGap)
+{
+    Trajectory path;
+    path.angle = body.angle;
+    path.rotation = body.rotation;
+    return sweptBounds(shape, path, body.center, 0, 0, 3 * restGap * shape.size);
 }
 
 void ExpectedPaths::begin(std::size_t rows, real end, real invH)
@@ -76,8 +84,8 @@ void ExpectedPaths::want(std::uint32_t row, bool turns)
 
 void ExpectedPaths::want(const Contact& contact, const ShapeTable& shapes)
 {
-    want(contact.rowA, !shapes.rows[contact.shapeA].convex.isDisc());
-    want(contact.rowB, !shapes.rows[contact.shapeB].convex.isDisc());
+    want(contact.rowA, !shapes.convex(contact.shapeA).isDisc());
+    want(contact.rowB, !shapes.convex(contact.shapeB).isDisc());
 }
 
 void ExpectedPaths::reckonWanted(const MotionTable& motions, Parallel& parallel)
@@ -107,7 +115,7 @@ SweptPair ExpectedPaths::pairOf(const Contact& contact, const ShapeTable& shapes
 {
     const Motion &a = motions.rows[contact.rowA], &b = motions.rows[contact.rowB];
     const Position origin = originOf(a, b);
-    const Convex &shapeA = shapes.rows[contact.shapeA].convex, &shapeB = shapes.rows[contact.shapeB].convex;
+    const Convex &shapeA = shapes.convex(contact.shapeA), &shapeB = shapes.convex(contact.shapeB);
     SweptPair pair{shapeA, shapeB, rows_[contact.rowA].path, rows_[contact.rowB].path, contact.restGap};
     pair.pathA.position = seenFrom(origin, a);
     pair.pathB.position = seenFrom(origin, b);
@@ -119,7 +127,7 @@ PairOnWay ExpectedPaths::pairOnWayOf(const Contact& contact, const ShapeTable& s
 {
     const Motion &a = motions.rows[contact.rowA], &b = motions.rows[contact.rowB];
     const Position origin = originOf(a, b);
-    const Convex &shapeA = shapes.rows[contact.shapeA].convex, &shapeB = shapes.rows[contact.shapeB].convex;
+    const Convex &shapeA = shapes.convex(contact.shapeA), &shapeB = shapes.convex(contact.shapeB);
     return {&shapeA,
             &shapeB,
             &rows_[contact.rowA].span,
@@ -166,7 +174,7 @@ void ExpectedPaths::collide(std::span<Contact* const> contacts, const ShapeTable
     };
     for (std::size_t i = 0; i < contacts.size(); ++i) {
         const Contact& c = *contacts[i];
-        switch (laneKindOf(shapes.rows[c.shapeA].convex, shapes.rows[c.shapeB].convex)) {
+        switch (laneKindOf(shapes.convex(c.shapeA), shapes.convex(c.shapeB))) {
         case LaneKind::Quads:
             take(quads, i, collideQuads);
             break;
@@ -265,7 +273,7 @@ void updateForStep(std::span<Contact> contacts, const ShapeTable& shapes, const 
     for (std::size_t i = 0; i < contacts.size(); ++i) {
         Contact& contact = contacts[i];
         const SweptResult& result = results[i];
-        const Convex &a = shapes.rows[contact.shapeA].convex, &b = shapes.rows[contact.shapeB].convex;
+        const Convex &a = shapes.convex(contact.shapeA), &b = shapes.convex(contact.shapeB);
         counts.exhausted += result.exhausted ? 1 : 0;
         adoptManifold(contact, result, real(0.3) * maximum(a.size, b.size));
         contact.swept =

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "contacts/pairs.hpp"
 #include "model/contacts.hpp"
 #include "model/motion.hpp"
 #include "model/shapes.hpp"
@@ -28,6 +29,15 @@ Position originOf(const Motion& a, const Motion& b);
 /// Both ways of a pair, seen from there.
 SweptPair sweptPairOf(const Contact& contact, const ShapeTable& shapes, const Motion& a, const Motion& b,
                       real invH);
+
+/// The box of a shape that holds still, as the broad phase has it: with the room that those of moving shapes
+/// have.
+Aabb restingBounds(const BodyRow& body, const Convex& shape, real restGap);
+inline Aabb restingBounds(const ContactWorld& world, std::uint32_t shape)
+{
+    return restingBounds(world.bodies.rows[world.shapes.rows[shape].body], world.shapes.convex(shape),
+                         world.restGap);
+}
 
 inline constexpr std::size_t kPairBatch = 64;
 

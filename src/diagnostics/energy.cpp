@@ -3,15 +3,16 @@
 
 namespace tamias2d::inline TAMIAS_PRECISION {
 
-Energy energyOf(const BodyRow& body, BodyId id, const ForceField& field, double time)
+Energy energyOf(const BodyTable& bodies, std::uint32_t slot, const ForceField& field, double time)
 {
+    const BodyRow& body = bodies.rows[slot];
     Energy energy;
     if (!body.isDynamic()) return energy;
     const DVec2 v = toDVec2(body.velocity);
     const double spin = static_cast<double>(body.spin);
     energy.linear = static_cast<double>(body.mass) * dot(v, v) / 2;
     energy.rotational = static_cast<double>(body.inertia) * spin * spin / 2;
-    energy.potential = potentialEnergy(body, id, field, time);
+    energy.potential = potentialEnergy(bodies, slot, field, time);
     return energy;
 }
 
@@ -31,7 +32,7 @@ Energy totalEnergy(const BodyTable& bodies, const ForceField& field, double time
     Energy sum;
     for (std::uint32_t i = 0; i < bodies.rows.size(); ++i) {
         if (!bodies.ids.isAlive(i) || !bodies.rows[i].enabled) continue;
-        const Energy one = energyOf(bodies.rows[i], bodies.ids.id(i), field, time);
+        const Energy one = energyOf(bodies, i, field, time);
         sum.linear += one.linear;
         sum.rotational += one.rotational;
         sum.potential += one.potential;

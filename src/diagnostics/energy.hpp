@@ -9,7 +9,7 @@
 namespace tamias2d::inline TAMIAS_PRECISION {
 
 /// Of one body; zero unless it is dynamic [DD15, DD16]. Gravitation between bodies is left out.
-Energy energyOf(const BodyRow& body, BodyId id, const ForceField& field, double time);
+Energy energyOf(const BodyTable& bodies, std::uint32_t slot, const ForceField& field, double time);
 Momentum momentumOf(const BodyRow& body);
 
 /// Of all enabled dynamic bodies, gravitation between them included.

@@ -4,9 +4,12 @@
 namespace tamias2d::inline TAMIAS_PRECISION {
 namespace {
 
-Vec2 gravityOn(const BodyRow& body, Vec2 worldGravity)
+Vec2 gravityOn(const BodyTable& bodies, const BodyRow& body, Vec2 worldGravity)
 {
-    return body.gravityScale * body.gravity.value_or(worldGravity);
+    const Vec2 gravity = body.extra == BodyRow::kNone
+                             ? worldGravity
+                             : bodies.extras[body.extra].gravity.value_or(worldGravity);
+    return bodies.mover(body).gravityScale * gravity;
 }
 
 BodyView viewOf(const BodyRow& body, BodyId id, Position center, double angle, Vec2 velocity, real spin)
@@ -56,10 +59,12 @@ double evaluatePotential(const ForceLaw& law, const BodyView& view, double time)
 }
 
 // Forces held on the body: those of this step and the lasting ones, the latter at its present angle.
-Wrench heldForces(const BodyRow& body, const Motion& m)
+Wrench heldForces(const BodyTable& bodies, const BodyRow& body, const Motion& m)
 {
-    Wrench sum{toDVec2(body.stepForce), static_cast<double>(body.stepTorque)};
-    for (const LastingForce& held : body.lasting) {
+    const MoverRow& mover = bodies.mover(body);
+    Wrench sum{toDVec2(mover.stepForce), static_cast<double>(mover.stepTorque)};
+    if (body.extra == BodyRow::kNone) return sum;
+    for (const LastingForce& held : bodies.extras[body.extra].lasting) {
         const Vec2 force = held.forceTurns ? rotate(m.rotation, held.force) : held.force;
         const Vec2 arm = held.pointTurns ? rotate(m.rotation, held.point) : held.point;
         sum.force += toDVec2(force);
@@ -111,13 +116,14 @@ real limited(real acceleration, double most)
 }
 
 // Gravity and the forces held on the body.
-void accelerateByHeld(Motion& m, const BodyRow& body, const ForceField& field)
+void accelerateByHeld(Motion& m, const BodyTable& bodies, const ForceField& field)
 {
+    const BodyRow& body = bodies.rows[m.body];
     m.acceleration = {};
     m.spinRate = 0;
     if (!body.isDynamic()) return;
-    const Vec2 g = gravityOn(body, field.gravity);
-    const Wrench held = heldForces(body, m);
+    const Vec2 g = gravityOn(bodies, body, field.gravity);
+    const Wrench held = heldForces(bodies, body, m);
     const Vec2 force = toVec2(held.force);
     m.acceleration = {(m.invMass.x > 0 ? g.x : real(0)) + m.invMass.x * force.x,
                       (m.invMass.y > 0 ? g.y : real(0)) + m.invMass.y * force.y};
@@ -136,14 +142,14 @@ bool ForceField::varies(const MotionTable& motions, const BodyTable& bodies) con
 {
     if (gravitationConstant > 0 || !laws.empty()) return true;
     for (const Motion& m : motions.rows)
-        if (!bodies.rows[m.body].lasting.empty()) return true;
+        if (!bodies.extra(bodies.rows[m.body]).lasting.empty()) return true;
     return false;
 }
 
 std::uint32_t accelerateOne(Motion& m, const BodyTable& bodies, const ForceField& field, double time)
 {
     std::uint32_t faults = 0;
-    accelerateByHeld(m, bodies.rows[m.body], field);
+    accelerateByHeld(m, bodies, field);
     for (const PlacedLaw& placed : field.laws)
         if (placed.body.isNull() || placed.body == bodies.ids.id(m.body))
             addLaw(placed, m, bodies, time, faults);
@@ -169,7 +175,7 @@ Wrench wrenchOfLaws(const BodyRow& body, BodyId id, const ForceField& field, dou
 std::uint32_t accelerate(MotionTable& motions, const BodyTable& bodies, const ForceField& field, double time)
 {
     std::uint32_t faults = 0;
-    for (Motion& m : motions.rows) accelerateByHeld(m, bodies.rows[m.body], field);
+    for (Motion& m : motions.rows) accelerateByHeld(m, bodies, field);
     if (field.gravitationConstant > 0) addGravitation(motions, bodies, field.gravitationConstant);
     for (const PlacedLaw& placed : field.laws) {
         if (placed.body.isNull()) {
@@ -183,10 +189,12 @@ std::uint32_t accelerate(MotionTable& motions, const BodyTable& bodies, const Fo
     return faults;
 }
 
-double potentialEnergy(const BodyRow& body, BodyId id, const ForceField& field, double time)
+double potentialEnergy(const BodyTable& bodies, std::uint32_t slot, const ForceField& field, double time)
 {
+    const BodyRow& body = bodies.rows[slot];
+    const BodyId id = bodies.ids.id(slot);
     if (!body.isDynamic()) return 0;
-    const Vec2 g = gravityOn(body, field.gravity);
+    const Vec2 g = gravityOn(bodies, body, field.gravity);
     const double mass = static_cast<double>(body.mass);
     double sum =
         -mass * (static_cast<double>(g.x) * body.center.x + static_cast<double>(g.y) * body.center.y);

@@ -42,7 +42,7 @@ Wrench wrenchOfLaws(const BodyRow& body, BodyId id, const ForceField& field, dou
                     std::uint32_t& faults);
 
 /// Potential energy of gravity and laws on one body, and of the gravitation of all pairs.   [J]
-double potentialEnergy(const BodyRow& body, BodyId id, const ForceField& field, double time);
+double potentialEnergy(const BodyTable& bodies, std::uint32_t slot, const ForceField& field, double time);
 double gravitationEnergy(const BodyTable& bodies, double gravitationConstant);
 
 }  // namespace tamias2d::inline TAMIAS_PRECISION

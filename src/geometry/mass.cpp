@@ -7,6 +7,7 @@
 #include <tamias2d/math/scalar.hpp>
 
 #include "geometry/core.hpp"
+#include "geometry/solid.hpp"
 #include "geometry/validate.hpp"
 #include "math/angle.hpp"
 
@@ -91,11 +92,7 @@ DVec2 meanPoint(const Core& core) noexcept
     return (1.0 / core.count) * sum;
 }
 
-struct Solid {
-    double area;    // [m^2]
-    DVec2 center;   // [m]
-    double second;  // about the center   [m^4]
-};
+}  // namespace
 
 Solid solidOf(const Geometry& geometry) noexcept
 {
@@ -109,7 +106,12 @@ Solid solidOf(const Geometry& geometry) noexcept
     return {m.area, origin + shift, m.second - m.area * dot(shift, shift)};
 }
 
-}  // namespace
+MassProperties massOf(const Solid& solid, real density) noexcept
+{
+    const double perArea = static_cast<double>(density);
+    return {static_cast<real>(perArea * solid.area), toVec2(solid.center),
+            static_cast<real>(perArea * solid.second)};
+}
 
 real area(const Geometry& geometry)
 {
@@ -130,10 +132,7 @@ MassProperties massProperties(const Geometry& geometry, real density)
             .range("massProperties.density", density, 0, kAnyFinite, "must be finite and >= 0 kg/m^2")
             .refuse())
         return {};
-    const Solid solid = solidOf(geometry);
-    const double perArea = static_cast<double>(density);
-    return {static_cast<real>(perArea * solid.area), toVec2(solid.center),
-            static_cast<real>(perArea * solid.second)};
+    return massOf(solidOf(geometry), density);
 }
 
 bool containsPoint(const Geometry& geometry, Vec2 point)

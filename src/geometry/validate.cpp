@@ -77,14 +77,14 @@ struct CheckShape {
 
 Complaint CheckShape::vertices(std::span<const Vec2> points) const
 {
-    const std::string name = part(".vertices");
+    const auto name = [&](std::size_t i) { return indexed(part(".vertices"), i); };
     for (std::size_t i = 0; i < points.size(); ++i)
-        if (!isNear(points[i])) return place(indexed(name, i), points[i]);
+        if (!isNear(points[i])) return place(name(i), points[i]);
 
     for (std::size_t i = 0; i < points.size(); ++i) {
         const std::size_t next = (i + 1) % points.size();
         if (length(toDVec2(points[next]) - toDVec2(points[i])) >= minSize) continue;
-        return InputError(indexed(name, next), textOf(points[next]),
+        return InputError(name(next), textOf(points[next]),
                           "must be at least " + textOf(minSize) + " m from " + indexed("vertices", i));
     }
     if (auto wrong = order(points)) return wrong;
@@ -94,7 +94,6 @@ Complaint CheckShape::vertices(std::span<const Vec2> points) const
 // Every corner must turn left, and all of them together only once around.
 Complaint CheckShape::order(std::span<const Vec2> points) const
 {
-    const std::string name = part(".vertices");
     const std::size_t n = points.size();
     const auto edge = [&](std::size_t i) { return toDVec2(points[(i + 1) % n]) - toDVec2(points[i % n]); };
 
@@ -104,14 +103,15 @@ Complaint CheckShape::order(std::span<const Vec2> points) const
         anyLeft = anyLeft || turn > 0;
         anyRight = anyRight || turn < 0;
     }
-    if (!anyLeft && !anyRight) return InputError(name, textOf(points), "must not all lie on one line");
-    if (!anyLeft) return InputError(name, textOf(points), "must be in counter-clockwise order");
+    if (!anyLeft && !anyRight)
+        return InputError(part(".vertices"), textOf(points), "must not all lie on one line");
+    if (!anyLeft) return InputError(part(".vertices"), textOf(points), "must be in counter-clockwise order");
 
     for (std::size_t i = 0; i < n; ++i) {
         const double turn = cross(edge(i + n - 1), edge(i));
         if (turn > 0) continue;
         const char* way = turn < 0 ? "turns right" : "lies on the line of its neighbours";
-        return InputError(indexed(name, i), textOf(points[i]),
+        return InputError(indexed(part(".vertices"), i), textOf(points[i]),
                           std::string("must be a corner of a convex polygon; it ") + way +
                               " (makePolygon keeps the corners of the hull)");
     }
@@ -122,7 +122,7 @@ Complaint CheckShape::order(std::span<const Vec2> points) const
             const DVec2 to = toDVec2(p) - toDVec2(points[i]);
             const double turn = cross(edge(i), to);
             if (turn >= 0 || turn >= -1e-9 * length(edge(i)) * length(to)) continue;
-            return InputError(name, textOf(points), "must go around once; its edges cross");
+            return InputError(part(".vertices"), textOf(points), "must go around once; its edges cross");
         }
     }
     return std::nullopt;

@@ -56,8 +56,7 @@ JointReading readJoint(const JointRow& joint, const BodyTable& bodies, double dt
 {
     JointReading reading;
     if (!actsNow(joint, bodies)) return reading;
-    const Motion a = motionOf(bodies.rows[joint.bodyA], joint.bodyA),
-                 b = motionOf(bodies.rows[joint.bodyB], joint.bodyB);
+    const Motion a = motionOf(bodies, joint.bodyA), b = motionOf(bodies, joint.bodyB);
     const JointPose pose = poseNow(joint, bodies, a, b);
     const JointCoordinate at =
         std::visit([&](const auto& kind) { return coordinateOf(kind, pose); }, joint.def.kind);
@@ -94,8 +93,7 @@ double springEnergy(const JointTable& joints, const BodyTable& bodies)
     for (std::uint32_t slot = 0; slot < joints.rows.size(); ++slot) {
         const JointRow& joint = joints.rows[slot];
         if (!joints.ids.isAlive(slot) || !actsNow(joint, bodies)) continue;
-        const Motion a = motionOf(bodies.rows[joint.bodyA], joint.bodyA),
-                     b = motionOf(bodies.rows[joint.bodyB], joint.bodyB);
+        const Motion a = motionOf(bodies, joint.bodyA), b = motionOf(bodies, joint.bodyB);
         JointRows rows;
         measureJoint(joint.def.kind, poseNow(joint, bodies, a, b), rows);
         sum += energyOfSprings(rows);

@@ -16,7 +16,7 @@ void sortJoints(const JointTable& table, const MotionTable& motions, std::vector
     for (const Motion& m : motions.rows) {
         const bool ground = !m.moves() && m.velocity == Vec2{} && m.spin == 0;
         if (ground) continue;  // its joints are found at their other bodies
-        for (const std::uint32_t slot : table.ofBody[m.body]) {
+        for (const std::uint32_t slot : table.of(m.body)) {
             const JointRow& joint = table.rows[slot];
             if (!joint.ties()) continue;
             const std::uint32_t a = motions.rowOf[joint.bodyA], b = motions.rowOf[joint.bodyB];

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "base/id_pool.hpp"
+#include "base/side_table.hpp"
 #include "model/motion.hpp"
 
 #include <tamias2d/model/defs.hpp>
@@ -11,12 +12,21 @@
 
 namespace tamias2d::inline TAMIAS_PRECISION {
 
-/// Everything the world remembers of a body between steps.
+/// The shapes of a body: a ring through the ShapeTable, in order of creation.
+struct ShapeList {
+    static constexpr std::uint32_t kNone = 0xffffffffu;
+
+    std::uint32_t first = kNone;  // slot
+    std::uint32_t count = 0;
+
+    bool empty() const { return count == 0; }
+    std::uint32_t size() const { return count; }
+};
+
+/// What the world remembers of every body between steps, and every stage asks for.
 struct BodyRow {
-    BodyType type = BodyType::Dynamic;
-    bool enabled = true;
-    bool lockX = false, lockY = false, lockRotation = false;
-    bool massIsSet = false;            // by hand: shapes do not change it
+    static constexpr std::uint32_t kNone = 0xffffffffu;
+    static constexpr std::uint32_t kNoGroup = 0xffffffffu;
 
     // Pose and motion of the center of mass.
     Position center;                   // [m]
@@ -24,36 +34,25 @@ struct BodyRow {
     Rot rotation;                      // of that angle
     Vec2 velocity;                     // [m/s]
     real spin = 0;                     // [rad/s]
-    Position previousCenter;           // before the last step, for interpolation
-    double previousAngle = 0;
-    Vec2 previousLocalCenter;
 
     // Mass. localCenter is where the center of mass lies in the body's frame.
     real mass = 0;                     // [kg]      0 unless dynamic
     real inertia = 0;                  // [kg*m^2]  0: cannot turn
     Vec2 localCenter;                  // [m]
-    bool massIsStale = false;  // not summed up yet since shapes came or went; never of a dynamic body
     real extent = 0;  // farthest point of its shapes from the center   [m]
 
-    // Forces.
-    Vec2 stepForce;  // for the next step only   [N]
-    real stepTorque = 0;  // [N*m]
-    std::vector<LastingForce> lasting;
-    real linearDamping = 0, angularDamping = 0;  // [1/s]
-    real gravityScale = 1;
-    std::optional<Vec2> gravity;  // its own   [m/s^2]
+    ShapeList shapes;
+    std::uint32_t group = kNoGroup;  // in the SleepTable; kNoGroup: awake. docs/theory/sleep.md
+    std::uint32_t mover = kNone;     // in BodyTable::movers
+    std::uint32_t extra = kNone;     // in BodyTable::extras
 
-    // Sleep. docs/theory/sleep.md.
-    static constexpr std::uint32_t kNoGroup = 0xffffffffu;
-    bool allowSleep = true;
-    bool takesPart = false;  // in steps: enabled, and dynamic and awake or kinematic and moving
-    std::uint32_t group = kNoGroup;  // in the SleepTable; kNoGroup: awake
-    real stillTime = 0;  // for how long it has been still           [s]
-    real stillSpeed = 0;  // of its fastest point, at most, since it is   [m/s]
-
-    std::vector<std::uint32_t> shapes;  // slots, in order of creation
-    std::string name;
-    std::uint64_t userData = 0;
+    BodyType type = BodyType::Dynamic;
+    bool enabled : 1 = true;
+    bool lockX : 1 = false, lockY : 1 = false, lockRotation : 1 = false;
+    bool massIsSet : 1 = false;     // by hand: shapes do not change it
+    bool massIsStale : 1 = false;  // not summed up yet since shapes came or went; never of a dynamic body
+    bool allowSleep : 1 = true;
+    bool takesPart : 1 = false;  // in steps: enabled, and dynamic and awake or kinematic and moving
 
     bool isDynamic() const { return type == BodyType::Dynamic; }
     bool isAsleep() const { return group != kNoGroup; }
@@ -74,9 +73,96 @@ struct BodyRow {
     }
 };
 
+/// What bodies that may move have beside it; all others are as here.
+struct MoverRow {
+    // Before the last step, for interpolation. docs/theory/integration.md
+    Position previousCenter;           // [m]
+    double previousAngle = 0;
+    Vec2 previousLocalCenter;
+
+    Vec2 stepForce;                    // for the next step only   [N]
+    real stepTorque = 0;               // [N*m]
+    real linearDamping = 0, angularDamping = 0;   // [1/s]
+    real gravityScale = 1;
+
+    // docs/theory/sleep.md
+    real stillTime = 0;                // for how long it has been still           [s]
+    real stillSpeed = 0;               // of its fastest point, at most, since it is   [m/s]
+};
+
+/// What few bodies have.
+struct BodyExtra {
+    std::string name;
+    std::uint64_t userData = 0;
+    std::vector<LastingForce> lasting;
+    std::optional<Vec2> gravity;       // its own   [m/s^2]
+};
+
+/// The bodies of a world; a row is the slot of the body's id.
+struct BodyTable {
+    explicit BodyTable(std::uint32_t world) : ids(world) {}
+
+    IdPool<BodyId> ids;
+    std::vector<BodyRow> rows;
+    SideTable<MoverRow> movers;
+    SideTable<BodyExtra> extras;
+    std::vector<std::uint32_t> parts;  // slots of those that take part, and of some that no longer do
+
+    const MoverRow& mover(const BodyRow& b) const
+    {
+        static const MoverRow kNothing;
+        return b.mover != BodyRow::kNone ? movers[b.mover] : kNothing;
+    }
+    const BodyExtra& extra(const BodyRow& b) const
+    {
+        static const BodyExtra kNothing;
+        return b.extra != BodyRow::kNone ? extras[b.extra] : kNothing;
+    }
+    /// The row to write to, made if need be.
+    MoverRow& moverFor(BodyRow& b)
+    {
+        if (b.mover == BodyRow::kNone) {
+            b.mover = movers.take();
+            rememberPose(b);
+        }
+        return movers[b.mover];
+    }
+    BodyExtra& extraFor(BodyRow& b)
+    {
+        if (b.extra == BodyRow::kNone) b.extra = extras.take();
+        return extras[b.extra];
+    }
+    /// What was before is as it is now.
+    void rememberPose(const BodyRow& b)
+    {
+        if (b.mover == BodyRow::kNone) return;
+        MoverRow& mover = movers[b.mover];
+        mover.previousCenter = b.center;
+        mover.previousAngle = b.angle;
+        mover.previousLocalCenter = b.localCenter;
+    }
+    void beginStillness(const BodyRow& b)
+    {
+        if (b.mover != BodyRow::kNone) movers[b.mover].stillTime = 0;
+    }
+    void forgetStillness(const BodyRow& b)
+    {
+        beginStillness(b);
+        if (b.mover != BodyRow::kNone) movers[b.mover].stillSpeed = 0;
+    }
+    /// As no body: its rows are free for others.
+    void clear(BodyRow& b)
+    {
+        movers.giveBack(b.mover);
+        extras.giveBack(b.extra);
+        b = {};
+    }
+};
+
 /// The body as it goes into a step.
-inline Motion motionOf(const BodyRow& b, std::uint32_t slot)
+inline Motion motionOf(const BodyTable& bodies, std::uint32_t slot)
 {
+    const BodyRow& b = bodies.rows[slot];
     Motion m;
     m.center = b.center;
     m.angle = b.angle;
@@ -93,19 +179,11 @@ inline Motion motionOf(const BodyRow& b, std::uint32_t slot)
         if (b.lockRotation) m.spin = 0;
     }
     if (m.moves()) {
-        m.damping = b.linearDamping;
-        m.spinDamping = b.angularDamping;
+        const MoverRow& mover = bodies.mover(b);
+        m.damping = mover.linearDamping;
+        m.spinDamping = mover.angularDamping;
     }
     return m;
 }
-
-/// The bodies of a world; a row is the slot of the body's id.
-struct BodyTable {
-    explicit BodyTable(std::uint32_t world) : ids(world) {}
-
-    IdPool<BodyId> ids;
-    std::vector<BodyRow> rows;
-    std::vector<std::uint32_t> parts;  // slots of those that take part, and of some that no longer do
-};
 
 }  // namespace tamias2d::inline TAMIAS_PRECISION

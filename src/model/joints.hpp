@@ -5,6 +5,7 @@
 
 #include <tamias2d/model/joint_defs.hpp>
 
+#include <span>
 #include <vector>
 
 namespace tamias2d::inline TAMIAS_PRECISION {
@@ -55,8 +56,19 @@ struct JointTable {
 
     IdPool<JointId> ids;
     std::vector<JointRow> rows;
-    std::vector<std::vector<std::uint32_t>>
-        ofBody;  // by body slot: slots of its joints, in order of creation
+    // By body slot, up to the last body that has had some: slots of its joints, in order of creation.
+    std::vector<std::vector<std::uint32_t>> ofBody;
+
+    std::span<const std::uint32_t> of(std::uint32_t body) const
+    {
+        if (body >= ofBody.size()) return {};
+        return ofBody[body];
+    }
+    void tie(std::uint32_t body, std::uint32_t joint)
+    {
+        if (body >= ofBody.size()) ofBody.resize(body + 1);
+        ofBody[body].push_back(joint);
+    }
 };
 
 /// Pairs of bodies that do not collide as a joint says so; sorted, lower slot first.

@@ -19,8 +19,8 @@ template <class EachResting, class Visit>
 void eachShape(const SearchSpace& space, EachResting eachResting, Visit visit)
 {
     const auto visitOne = [&](std::uint32_t slot) {
-        const ShapeRow& shape = space.shapes.rows[slot];
-        if (shouldCollide(space.filter, shape.def.filter)) visit(slot, space.bodies.rows[shape.body], shape);
+        if (!shouldCollide(space.filter, space.shapes.filter(slot))) return;
+        visit(slot, space.bodies.rows[space.shapes.rows[slot].body], space.shapes.form(slot));
     };
     eachResting(visitOne);
     std::vector<std::uint32_t> parts = space.bodies.parts;  // some may be there twice
@@ -28,7 +28,7 @@ void eachShape(const SearchSpace& space, EachResting eachResting, Visit visit)
     parts.erase(std::unique(parts.begin(), parts.end()), parts.end());
     for (const std::uint32_t part : parts) {
         if (!space.bodies.rows[part].takesPart) continue;
-        for (const std::uint32_t slot : space.bodies.rows[part].shapes) visitOne(slot);
+        for (const std::uint32_t slot : space.shapes.of(space.bodies.rows[part])) visitOne(slot);
     }
 }
 
@@ -40,29 +40,29 @@ DVec2 ShapeFrame::toLocal(Position world) const
     return rotated({-q.sin, q.cos}, world - origin);
 }
 
-ShapeFrame frameOf(const BodyRow& body, const ShapeRow& shape)
+ShapeFrame frameOf(const BodyRow& body, const ShapeForm& shape)
 {
-    const DVec2 offset = toDVec2(shape.def.offset - body.localCenter);
-    const double angle = wrapAngle(body.angle + wrapAngle(shape.def.angle));
+    const DVec2 offset = toDVec2(shape.offset - body.localCenter);
+    const double angle = wrapAngle(body.angle + wrapAngle(shape.angle));
     return {body.center + rotated(sinCos(body.angle), offset), angle, Rot::ofAngle(angle)};
 }
 
-Aabb boundsOf(const BodyRow& body, const ShapeRow& shape)
+Aabb boundsOf(const BodyRow& body, const ShapeForm& shape)
 {
     const ShapeFrame frame = frameOf(body, shape);
-    return boundsOf(shape.def.geometry, frame.origin, frame.rotation);
+    return boundsOf(shape.geometry, frame.origin, frame.rotation);
 }
 
-bool containsPoint(const BodyRow& body, const ShapeRow& shape, Position point)
+bool containsPoint(const BodyRow& body, const ShapeForm& shape, Position point)
 {
-    return containsPoint(coreOf(shape.def.geometry), frameOf(body, shape).toLocal(point));
+    return containsPoint(coreOf(shape.geometry), frameOf(body, shape).toLocal(point));
 }
 
 std::vector<ShapeId> shapesAt(const SearchSpace& space, Position point)
 {
     std::vector<ShapeId> found;
     const auto resting = [&](auto visit) { space.resting.eachOverlapping({point, point}, visit); };
-    eachShape(space, resting, [&](std::uint32_t slot, const BodyRow& body, const ShapeRow& shape) {
+    eachShape(space, resting, [&](std::uint32_t slot, const BodyRow& body, const ShapeForm& shape) {
         if (containsPoint(body, shape, point)) found.push_back(space.shapes.ids.id(slot));
     });
     std::sort(found.begin(), found.end());
@@ -73,9 +73,9 @@ std::vector<ShapeId> shapesIn(const SearchSpace& space, const Aabb& box)
 {
     std::vector<ShapeId> found;
     const auto resting = [&](auto visit) { space.resting.eachOverlapping(box, visit); };
-    eachShape(space, resting, [&](std::uint32_t slot, const BodyRow& body, const ShapeRow& shape) {
+    eachShape(space, resting, [&](std::uint32_t slot, const BodyRow& body, const ShapeForm& shape) {
         const ShapeFrame frame = frameOf(body, shape);
-        if (overlapsBox(shape.def.geometry, frame.origin, frame.rotation, box))
+        if (overlapsBox(shape.geometry, frame.origin, frame.rotation, box))
             found.push_back(space.shapes.ids.id(slot));
     });
     std::sort(found.begin(), found.end());
@@ -88,14 +88,14 @@ std::vector<RayHit> shapesAlong(const SearchSpace& space, Position from, Positio
                    {maximum(from.x, to.x), maximum(from.y, to.y)}};
     std::vector<RayHit> hits;
     const auto resting = [&](auto visit) { space.resting.eachAlong(from, to, visit); };
-    eachShape(space, resting, [&](std::uint32_t slot, const BodyRow& body, const ShapeRow& shape) {
+    eachShape(space, resting, [&](std::uint32_t slot, const BodyRow& body, const ShapeForm& shape) {
         if (!overlaps(way, boundsOf(body, shape))) return;
         const ShapeFrame frame = frameOf(body, shape);
-        const auto local = castRay(shape.def.geometry, frame.toLocal(from), frame.toLocal(to));
+        const auto local = castRay(shape.geometry, frame.toLocal(from), frame.toLocal(to));
         if (!local) return;
         RayHit hit;
         hit.shape = space.shapes.ids.id(slot);
-        hit.body = space.bodies.ids.id(shape.body);
+        hit.body = space.bodies.ids.id(space.shapes.rows[slot].body);
         hit.fraction = local->fraction;
         hit.point = from + local->fraction * (to - from);
         hit.normal = toVec2(rotated(sinCos(frame.angle), local->normal));

@@ -21,9 +21,9 @@ struct ShapeFrame {
     DVec2 toLocal(Position world) const;
 };
 
-ShapeFrame frameOf(const BodyRow& body, const ShapeRow& shape);
-Aabb boundsOf(const BodyRow& body, const ShapeRow& shape);
-bool containsPoint(const BodyRow& body, const ShapeRow& shape, Position point);
+ShapeFrame frameOf(const BodyRow& body, const ShapeForm& shape);
+Aabb boundsOf(const BodyRow& body, const ShapeForm& shape);
+bool containsPoint(const BodyRow& body, const ShapeForm& shape, Position point);
 
 /// What the searches look through: shapes of enabled bodies whose filter agrees. What holds still is found in
 /// its trees; those of bodies that take part in steps are looked at one by one.

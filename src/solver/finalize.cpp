@@ -26,9 +26,10 @@ bool stopAtEdge(Motion& m, real lengthUnit)
     return true;
 }
 
-void finalizeBody(Motion& m, BodyRow& b, const StepContext& context, FinalCounts& counts)
+void finalizeBody(Motion& m, BodyTable& bodies, const StepContext& context, FinalCounts& counts)
 {
-    remember(b);
+    BodyRow& b = bodies.rows[m.body];
+    remember(bodies, m.body);
     if (!isNumber(m)) {
         b.velocity = {};
         b.spin = 0;
@@ -78,13 +79,14 @@ FinalCounts sumOf(const std::vector<FinalCounts>& ofChunks)
 
 }  // namespace
 
-void remember(BodyRow& b)
+void remember(BodyTable& bodies, std::uint32_t slot)
 {
-    b.previousCenter = b.center;
-    b.previousAngle = b.angle;
-    b.previousLocalCenter = b.localCenter;
-    b.stepForce = {};
-    b.stepTorque = 0;
+    const BodyRow& b = bodies.rows[slot];
+    if (b.mover == BodyRow::kNone) return;
+    bodies.rememberPose(b);
+    MoverRow& mover = bodies.movers[b.mover];
+    mover.stepForce = {};
+    mover.stepTorque = 0;
 }
 
 FinalCounts finalize(MotionTable& motions, ContactTable& contacts, const ShapeTable& shapes,
@@ -96,8 +98,7 @@ FinalCounts finalize(MotionTable& motions, ContactTable& contacts, const ShapeTa
     parallel.forEach(motions.rows.size(), kBodies, [&](const Chunk& chunk) {
         for (std::size_t row = chunk.begin; row < chunk.end; ++row) {
             Motion& m = motions.rows[row];
-            BodyRow& b = bodies.rows[m.body];
-            if (b.takesPart) finalizeBody(m, b, context, ofChunks[chunk.index]);
+            if (bodies.rows[m.body].takesPart) finalizeBody(m, bodies, context, ofChunks[chunk.index]);
         }
     });
     FinalCounts counts = sumOf(ofChunks);

@@ -19,7 +19,7 @@ struct FinalCounts {
 };
 
 /// The pose at hand as the one before the step, and no force for the step any more.
-void remember(BodyRow& body);
+void remember(BodyTable& bodies, std::uint32_t slot);
 
 /// Writes the solved state back to the bodies that take part and measures the contacts where they are now. A
 /// body whose state is no number is put back where it was, at rest and disabled.

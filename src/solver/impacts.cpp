@@ -242,8 +242,8 @@ void ImpactSolver::pairAgain(std::uint32_t row)
     const real room = kRoom * stage_.rows.predicted[row].width;
     bool hasRoom = true;
 
-    for (const std::uint32_t shape : stage_.world.bodies.rows[body].shapes) {
-        const Convex& convex = stage_.world.shapes.rows[shape].convex;
+    for (const std::uint32_t shape : stage_.world.shapes.of(stage_.world.bodies.rows[body])) {
+        const Convex& convex = stage_.world.shapes.convex(shape);
         const real margin = 3 * stage_.world.restGap * convex.size;
         const Aabb needed = sweptBounds(convex, path, center, scratch_.flights[row].clock, end, margin);
         const Aabb roomy = withRoom(needed, static_cast<double>(room));
@@ -295,7 +295,7 @@ bool ImpactSolver::pairWithResting(std::uint32_t row, std::uint32_t shape, const
 {
     scratch_.found.clear();
     stage_.resting.eachOverlapping(roomy, [&](std::uint32_t other) {
-        if (overlaps(roomy, stage_.world.shapes.rows[other].sweptBox)) scratch_.found.push_back(other);
+        if (overlaps(roomy, restingBounds(stage_.world, other))) scratch_.found.push_back(other);
     });
     std::sort(scratch_.found.begin(), scratch_.found.end());
     bool nobodySleeps = true;
@@ -317,20 +317,20 @@ bool ImpactSolver::pairWithResting(std::uint32_t row, std::uint32_t shape, const
                 scratch_.chains.grow(stage_.motions.rows.size());
             }
         }
-        if (!isKnown(row, pair)) add(pair, overlaps(needed, stage_.world.shapes.rows[other].sweptBox));
+        if (!isKnown(row, pair)) add(pair, overlaps(needed, restingBounds(stage_.world, other)));
     }
     return nobodySleeps;
 }
 
 bool ImpactSolver::meetsSleeper(std::uint32_t row, std::uint32_t shape, std::uint32_t other, real end)
 {
-    const ShapeRow& sleeper = stage_.world.shapes.rows[other];
+    const std::uint32_t body = stage_.world.shapes.rows[other].body;
+    const Convex& convex = stage_.world.shapes.convex(other);
     const Motion& m = motion(row);
-    const Motion still = motionOf(stage_.world.bodies.rows[sleeper.body], sleeper.body);
+    const Motion still = motionOf(stage_.world.bodies, body);
     const Position origin = originOf(m, still);
-    const real restGap =
-        stage_.world.restGap * minimum(stage_.world.shapes.rows[shape].convex.size, sleeper.convex.size);
-    const SweptPair pair{stage_.world.shapes.rows[shape].convex, sleeper.convex, pathOf(row, origin),
+    const real restGap = stage_.world.restGap * minimum(stage_.world.shapes.convex(shape).size, convex.size);
+    const SweptPair pair{stage_.world.shapes.convex(shape), convex, pathOf(row, origin),
                          predictedPath(still, origin, context_.invH), restGap};
     return mayMeet(pair, scratch_.flights[row].clock, end, context_);
 }
@@ -408,8 +408,8 @@ void startSweeps(ImpactStage& stage, const StepContext& context)
         const Trajectory path = predictedPath(m, m.center, context.invH);
         real least = std::numeric_limits<real>::max();
         if (m.moves()) {  // what holds still leaves no box
-            for (const std::uint32_t shape : stage.world.bodies.rows[m.body].shapes)
-                least = minimum(least, stage.world.shapes.rows[shape].convex.size);
+            for (const std::uint32_t shape : stage.world.shapes.of(stage.world.bodies.rows[m.body]))
+                least = minimum(least, stage.world.shapes.convex(shape).size);
         }
         predicted.push_back({path.velocity,
                              path.spin,
@@ -485,7 +485,7 @@ void resweepForTick(ImpactStage& stage, const StepContext& context)
         paths.collide(batch, shapes, stage.motions, results);
         for (std::size_t i = 0; i < batch.size(); ++i) {
             Contact& c = *batch[i];
-            const Convex &a = shapes.rows[c.shapeA].convex, &b = shapes.rows[c.shapeB].convex;
+            const Convex &a = shapes.convex(c.shapeA), &b = shapes.convex(c.shapeB);
             scratch.exhausted[chunk.index] += results[i].exhausted ? 1 : 0;
             c.clearance = results[i].startGap;
             adoptManifold(c, results[i], real(0.3) * maximum(a.size, b.size));

@@ -15,7 +15,7 @@ void enter(ImpactStage& stage, std::uint32_t body, const StepContext& context)
 {
     std::vector<Motion>& rows = stage.motions.rows;
     stage.motions.rowOf[body] = static_cast<std::uint32_t>(rows.size());
-    rows.push_back(motionOf(stage.world.bodies.rows[body], body));
+    rows.push_back(motionOf(stage.world.bodies, body));
     stage.islands.islandOf.push_back(Islands::kNone);
     stage.scratch.flights.push_back(flightOf(rows.back(), context.invH));
     stage.scratch.flies.push_back(1);
@@ -51,7 +51,7 @@ void bringIn(ImpactStage& stage, Contact c)
 void bringInPartners(ImpactStage& stage, const SleepGroup& sleepers, const StepContext& context)
 {
     for (const std::uint32_t body : sleepers.bodies) {
-        for (const std::uint32_t slot : stage.joints.ofBody[body]) {
+        for (const std::uint32_t slot : stage.joints.of(body)) {
             const JointRow& joint = stage.joints.rows[slot];
             const std::uint32_t other = joint.bodyA == body ? joint.bodyB : joint.bodyA;
             const bool isMissing = stage.motions.rowOf[other] == MotionTable::kNone;

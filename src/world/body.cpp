@@ -13,6 +13,12 @@ BodyRow& deadBodyRow()
     return row = {};
 }
 
+const BodyTable& noBodies()
+{
+    static const BodyTable none(0);
+    return none;
+}
+
 Vec2 velocityAfter(const BodyRow& b, Vec2 impulse)
 {
     const Vec2 invMass = b.invMass();
@@ -45,6 +51,7 @@ World* Body::alive() const
 #define TAMIAS_BODY_ROW(name)                                                                                \
     World* const w = alive();                                                                                \
     if (w) w->impl_->settleMass(id_.index);                                                                  \
+    [[maybe_unused]] const BodyTable& table = w ? w->impl_->bodies : noBodies();                             \
     BodyRow& name = w ? w->impl_->row(id_) : deadBodyRow()
 
 BodyDef Body::definition() const
@@ -57,18 +64,19 @@ BodyDef Body::definition() const
     def.linearVelocity = b.velocity;
     def.angularVelocity = b.spin;
     if (b.massIsSet) def.mass = MassProperties{b.mass, b.localCenter, b.inertia};
-    def.linearDamping = b.linearDamping;
-    def.angularDamping = b.angularDamping;
-    def.gravityScale = b.gravityScale;
-    def.gravity = b.gravity;
+    const MoverRow& mover = table.mover(b);
+    def.linearDamping = mover.linearDamping;
+    def.angularDamping = mover.angularDamping;
+    def.gravityScale = mover.gravityScale;
+    def.gravity = table.extra(b).gravity;
     def.lockX = b.lockX;
     def.lockY = b.lockY;
     def.lockRotation = b.lockRotation;
     def.enabled = b.enabled;
     def.allowSleep = b.allowSleep;
     def.awake = !b.isAsleep();
-    def.name = b.name;
-    def.userData = b.userData;
+    def.name = table.extra(b).name;
+    def.userData = table.extra(b).userData;
     return def;
 }
 
@@ -94,6 +102,8 @@ void Body::setType(BodyType type)
     if (type == BodyType::Static) {
         b.velocity = {};
         b.spin = 0;
+    } else {
+        w->impl_->bodies.moverFor(b);
     }
     w->impl_->tally(b, true);
     w->impl_->refreshPart(id_.index);
@@ -102,25 +112,25 @@ void Body::setType(BodyType type)
 const std::string& Body::name() const
 {
     World* const w = alive();
-    return w ? w->impl_->row(id_).name : kNoName;
+    return w ? w->impl_->bodies.extra(w->impl_->row(id_)).name : kNoName;
 }
 
 void Body::setName(std::string_view name)
 {
     TAMIAS_BODY_ROW(b);
-    b.name = name;
+    if (w && (b.extra != BodyRow::kNone || !name.empty())) w->impl_->bodies.extraFor(b).name = name;
 }
 
 std::uint64_t Body::userData() const
 {
     TAMIAS_BODY_ROW(b);
-    return b.userData;
+    return table.extra(b).userData;
 }
 
 void Body::setUserData(std::uint64_t value)
 {
     TAMIAS_BODY_ROW(b);
-    b.userData = value;
+    if (w && (b.extra != BodyRow::kNone || value != 0)) w->impl_->bodies.extraFor(b).userData = value;
 }
 
 bool Body::isEnabled() const
@@ -165,7 +175,7 @@ void Body::wake()
 {
     TAMIAS_BODY_ROW(b);
     if (!w) return;
-    b.stillTime = 0;
+    w->impl_->bodies.beginStillness(b);
     w->impl_->wake(id_.index);
 }
 
@@ -248,9 +258,7 @@ void Body::setTransform(Position position, double angle)
     b.angle = wrapAngle(angle);
     b.rotation = Rot::ofAngle(b.angle);
     b.center = position + toDVec2(rotate(b.rotation, b.localCenter));
-    b.previousCenter = b.center;
-    b.previousAngle = b.angle;
-    b.previousLocalCenter = b.localCenter;
+    if (w) w->impl_->bodies.rememberPose(b);
     if (moves && b.enabled && !b.takesPart) w->impl_->placeAll(id_.index, true);
 }
 
@@ -279,12 +287,14 @@ Transform Body::interpolated(double alpha) const
 {
     TAMIAS_BODY_ROW(b);
     if (refuse(checkRange("alpha", alpha, 0, 1, "must be in [0, 1]"))) return {};
+    if (b.mover == BodyRow::kNone) return {b.origin(), b.angle, b.rotation};
+    const MoverRow& last = table.mover(b);
     const Position before =
-        b.originOf(b.previousCenter, Rot::ofAngle(b.previousAngle), b.previousLocalCenter);
-    double turn = b.angle - b.previousAngle;  // the short way round
+        b.originOf(last.previousCenter, Rot::ofAngle(last.previousAngle), last.previousLocalCenter);
+    double turn = b.angle - last.previousAngle;  // the short way round
     if (turn > kPi) turn -= kTwoPi;
     if (turn < -kPi) turn += kTwoPi;
-    return Transform::at(before + alpha * (b.origin() - before), b.previousAngle + alpha * turn);
+    return Transform::at(before + alpha * (b.origin() - before), last.previousAngle + alpha * turn);
 }
 
 // --- mass
@@ -339,25 +349,29 @@ void Body::applyForce(Vec2 force, Position at)
     const real unit = w ? w->impl_->settings.lengthUnit : real(1);
     if (Checks().finite("force", force, "must be finite N").add(checkPosition("at", at, unit)).refuse())
         return;
-    if (w && (force != Vec2{})) w->impl_->forceComes(id_.index);
-    b.stepForce += force;
-    b.stepTorque += cross(toVec2(at - b.center), force);
+    if (!w) return;
+    if (force != Vec2{}) w->impl_->forceComes(id_.index);
+    MoverRow& mover = w->impl_->bodies.moverFor(b);
+    mover.stepForce += force;
+    mover.stepTorque += cross(toVec2(at - b.center), force);
 }
 
 void Body::applyForceToCenter(Vec2 force)
 {
     TAMIAS_BODY_ROW(b);
     if (refuse(checkFinite("force", force, "must be finite N"))) return;
-    if (w && (force != Vec2{})) w->impl_->forceComes(id_.index);
-    b.stepForce += force;
+    if (!w) return;
+    if (force != Vec2{}) w->impl_->forceComes(id_.index);
+    w->impl_->bodies.moverFor(b).stepForce += force;
 }
 
 void Body::applyTorque(real torque)
 {
     TAMIAS_BODY_ROW(b);
     if (refuse(checkFinite("torque", torque, "must be finite N*m"))) return;
-    if (w && torque != 0) w->impl_->forceComes(id_.index);
-    b.stepTorque += torque;
+    if (!w) return;
+    if (torque != 0) w->impl_->forceComes(id_.index);
+    w->impl_->bodies.moverFor(b).stepTorque += torque;
 }
 
 void Body::applyImpulse(Vec2 impulse, Position at)
@@ -407,33 +421,40 @@ std::size_t Body::addForce(const LastingForce& force)
     TAMIAS_BODY_ROW(b);
     if (!w || refuse(check(force, w->impl_->settings.lengthUnit))) return 0;
     w->impl_->disturb(id_.index);
-    b.lasting.push_back(force);
-    return b.lasting.size() - 1;
+    std::vector<LastingForce>& lasting = w->impl_->bodies.extraFor(b).lasting;
+    lasting.push_back(force);
+    return lasting.size() - 1;
 }
 
 std::span<const LastingForce> Body::lastingForces() const
 {
     TAMIAS_BODY_ROW(b);
-    return b.lasting;
+    return table.extra(b).lasting;
 }
 
 void Body::setForce(std::size_t place, const LastingForce& force)
 {
     TAMIAS_BODY_ROW(b);
-    if (refuse(checkThat(place < b.lasting.size(), "place", place, "must be one that addForce returned")))
+    if (refuse(checkThat(place < table.extra(b).lasting.size(), "place", place,
+                         "must be one that addForce returned")))
         return;
     if (!w || refuse(check(force, w->impl_->settings.lengthUnit))) return;
     w->impl_->disturb(id_.index);
-    b.lasting[place] = force;
+    w->impl_->bodies.extraFor(b).lasting[place] = force;
 }
 
 void Body::clearForces()
 {
     TAMIAS_BODY_ROW(b);
-    if (w && !b.lasting.empty()) w->impl_->disturb(id_.index);
-    b.lasting.clear();
-    b.stepForce = {};
-    b.stepTorque = 0;
+    if (!w) return;
+    if (!table.extra(b).lasting.empty()) {
+        w->impl_->disturb(id_.index);
+        w->impl_->bodies.extraFor(b).lasting.clear();
+    }
+    if (b.mover == BodyRow::kNone) return;
+    MoverRow& mover = w->impl_->bodies.moverFor(b);
+    mover.stepForce = {};
+    mover.stepTorque = 0;
 }
 
 ForceLawId Body::addForceLaw(ForceLaw law)
@@ -448,57 +469,61 @@ ForceLawId Body::addForceLaw(ForceLaw law)
 real Body::linearDamping() const
 {
     TAMIAS_BODY_ROW(b);
-    return b.linearDamping;
+    return table.mover(b).linearDamping;
 }
 
 void Body::setLinearDamping(real damping)
 {
     TAMIAS_BODY_ROW(b);
     if (refuse(checkRange("linearDamping", damping, 0, 1e30, "must be finite and >= 0 1/s"))) return;
-    if (w && damping != b.linearDamping) w->impl_->disturb(id_.index);
-    b.linearDamping = damping;
+    if (!w || damping == table.mover(b).linearDamping) return;
+    w->impl_->disturb(id_.index);
+    w->impl_->bodies.moverFor(b).linearDamping = damping;
 }
 
 real Body::angularDamping() const
 {
     TAMIAS_BODY_ROW(b);
-    return b.angularDamping;
+    return table.mover(b).angularDamping;
 }
 
 void Body::setAngularDamping(real damping)
 {
     TAMIAS_BODY_ROW(b);
     if (refuse(checkRange("angularDamping", damping, 0, 1e30, "must be finite and >= 0 1/s"))) return;
-    if (w && damping != b.angularDamping) w->impl_->disturb(id_.index);
-    b.angularDamping = damping;
+    if (!w || damping == table.mover(b).angularDamping) return;
+    w->impl_->disturb(id_.index);
+    w->impl_->bodies.moverFor(b).angularDamping = damping;
 }
 
 real Body::gravityScale() const
 {
     TAMIAS_BODY_ROW(b);
-    return b.gravityScale;
+    return table.mover(b).gravityScale;
 }
 
 void Body::setGravityScale(real scale)
 {
     TAMIAS_BODY_ROW(b);
     if (refuse(checkFinite("gravityScale", scale))) return;
-    if (w && scale != b.gravityScale) w->impl_->disturb(id_.index);
-    b.gravityScale = scale;
+    if (!w || scale == table.mover(b).gravityScale) return;
+    w->impl_->disturb(id_.index);
+    w->impl_->bodies.moverFor(b).gravityScale = scale;
 }
 
 std::optional<Vec2> Body::ownGravity() const
 {
     TAMIAS_BODY_ROW(b);
-    return b.gravity;
+    return table.extra(b).gravity;
 }
 
 void Body::setOwnGravity(std::optional<Vec2> gravity)
 {
     TAMIAS_BODY_ROW(b);
     if (refuse(checkFinite("gravity", gravity.value_or(Vec2{}), "must be finite m/s^2"))) return;
-    if (w && gravity != b.gravity) w->impl_->disturb(id_.index);
-    b.gravity = gravity;
+    if (!w || gravity == table.extra(b).gravity) return;
+    w->impl_->disturb(id_.index);
+    w->impl_->bodies.extraFor(b).gravity = gravity;
 }
 
 void Body::setLocks(bool x, bool y, bool rotation)
@@ -515,7 +540,8 @@ void Body::setLocks(bool x, bool y, bool rotation)
 Shape Body::createShape(const ShapeDef& def)
 {
     World* const w = alive();
-    if (!w || refuse(check(def, w->impl_->settings.lengthUnit)) ||
+    if (!w ||
+        refuse(check(def, w->impl_->settings.lengthUnit, w->impl_->shapes.isLastGeometry(def.geometry))) ||
         refuse(w->impl_->checkMassWith("ShapeDef.density", def, id_.index)))
         return {};
     return {w, w->impl_->createShape(id_, def)};
@@ -525,14 +551,18 @@ std::vector<Shape> Body::shapes() const
 {
     TAMIAS_BODY_ROW(b);
     std::vector<Shape> all;
-    for (const std::uint32_t slot : b.shapes) all.push_back(Shape(w, w->impl_->shapes.ids.id(slot)));
+    if (!w) return all;
+    all.reserve(b.shapes.size());
+    for (const std::uint32_t slot : w->impl_->shapes.of(b))
+        all.push_back(Shape(w, w->impl_->shapes.ids.id(slot)));
     return all;
 }
 
 Energy Body::energy() const
 {
     TAMIAS_BODY_ROW(b);
-    return w ? energyOf(b, id_, w->impl_->field(), w->impl_->time) : Energy{};
+    return w && b.isDynamic() ? energyOf(w->impl_->bodies, id_.index, w->impl_->field(), w->impl_->time)
+                              : Energy{};
 }
 
 Momentum Body::momentum() const

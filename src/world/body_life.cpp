@@ -11,9 +11,7 @@ BodyId World::Impl::createBody(const BodyDef& def)
 {
     const BodyId body = bodies.ids.take();
     if (body.index == bodies.rows.size()) bodies.rows.emplace_back();
-    if (body.index == joints.ofBody.size()) joints.ofBody.emplace_back();
     BodyRow& b = bodies.rows[body.index];
-    b = {};
     b.type = def.type;
     b.enabled = def.enabled;
     b.allowSleep = def.allowSleep;
@@ -22,12 +20,6 @@ BodyId World::Impl::createBody(const BodyDef& def)
     b.lockRotation = def.lockRotation;
     b.angle = wrapAngle(def.angle);
     b.rotation = Rot::ofAngle(b.angle);
-    b.linearDamping = def.linearDamping;
-    b.angularDamping = def.angularDamping;
-    b.gravityScale = def.gravityScale;
-    b.gravity = def.gravity;
-    b.name = def.name;
-    b.userData = def.userData;
     if (def.type != BodyType::Static) {
         b.velocity = def.linearVelocity;
         b.spin = def.angularVelocity;
@@ -41,9 +33,19 @@ BodyId World::Impl::createBody(const BodyDef& def)
         b.mass = 1;  // of a body without shapes; it cannot turn
     }
     b.center = def.position + toDVec2(rotate(b.rotation, b.localCenter));
-    b.previousCenter = b.center;
-    b.previousAngle = b.angle;
-    b.previousLocalCenter = b.localCenter;
+    if (def.type != BodyType::Static || def.linearDamping != 0 || def.angularDamping != 0 ||
+        def.gravityScale != 1) {
+        MoverRow& mover = bodies.moverFor(b);
+        mover.linearDamping = def.linearDamping;
+        mover.angularDamping = def.angularDamping;
+        mover.gravityScale = def.gravityScale;
+    }
+    if (def.gravity || !def.name.empty() || def.userData != 0) {
+        BodyExtra& extra = bodies.extraFor(b);
+        extra.gravity = def.gravity;
+        extra.name = def.name;
+        extra.userData = def.userData;
+    }
     tally(b, true);
     if (!def.awake && b.isDynamic() && maySleep())
         makeAsleep(body.index);
@@ -55,8 +57,8 @@ BodyId World::Impl::createBody(const BodyDef& def)
 void World::Impl::destroyBody(BodyId body)
 {
     disturb(body.index);
-    while (!row(body).shapes.empty()) removeShape(row(body).shapes.back());
-    while (!joints.ofBody[body.index].empty()) destroyJoint(joints.ofBody[body.index].back());
+    while (!row(body).shapes.empty()) removeShape(shapes.lastOf(row(body).shapes));
+    while (!joints.of(body.index).empty()) destroyJoint(joints.of(body.index).back());
     tally(row(body), false);
     if (row(body).takesPart) partsAreSorted = false;
     std::erase_if(laws, [&](const PlacedLaw& placed) {
@@ -64,7 +66,7 @@ void World::Impl::destroyBody(BodyId body)
         lawIds.giveBack(placed.id.index);
         return true;
     });
-    row(body) = {};
+    bodies.clear(row(body));
     bodies.ids.giveBack(body.index);
 }
 
@@ -72,12 +74,12 @@ ShapeId World::Impl::createShape(BodyId body, const ShapeDef& def)
 {
     const ShapeId shape = shapes.ids.take();
     if (shape.index == shapes.rows.size()) shapes.rows.emplace_back();
-    shapes.rows[shape.index] = {};
-    shapes.rows[shape.index].body = body.index;
-    shapes.rows[shape.index].def = def;
-    row(body).shapes.push_back(shape.index);
-    rebuildConvex(shape.index);
     BodyRow& b = row(body);
+    shapes.rows[shape.index].body = body.index;
+    shapes.rows[shape.index].userData = def.userData;
+    shapes.setForm(shape.index, def.geometry, def.offset, def.angle, b.localCenter);
+    shapes.setSurface(shape.index, {def.density, def.material, def.filter});
+    shapes.link(b.shapes, shape.index);
     if (b.enabled) ++census.shapes;
     shapeAdded(b, shape.index);
     return shape;
@@ -88,7 +90,7 @@ void World::Impl::shapeAdded(BodyRow& b, std::uint32_t slot)
 {
     const std::uint32_t body = shapes.rows[slot].body;
     if (b.isAsleep() && !asleep.groups[b.group].contacts.empty()) wake(body);
-    b.stillTime = 0;
+    bodies.beginStillness(b);
     if (b.isDynamic())
         updateMass(body);
     else
@@ -116,11 +118,8 @@ void World::Impl::removeShape(std::uint32_t slot)
     endContacts(slot);
     resting.remove(slot);
     if (b.enabled) --census.shapes;
-    if (b.shapes.back() == slot)
-        b.shapes.pop_back();
-    else
-        std::erase(b.shapes, slot);
-    shapes.rows[slot] = {};
+    shapes.unlink(b.shapes, slot);
+    shapes.clear(slot);
     shapes.ids.giveBack(slot);
     if (b.isDynamic())
         updateMass(body);
@@ -139,11 +138,12 @@ void World::Impl::endContacts(std::uint32_t slot)
     contacts.order.clear();  // made anew in the next step
 }
 
+// The center of mass of the body has moved.
 void World::Impl::rebuildConvex(std::uint32_t slot)
 {
-    ShapeRow& shape = shapes.rows[slot];
-    shape.convex = makeConvex(shape.def.geometry, shape.def.offset, Rot::ofAngle(wrapAngle(shape.def.angle)),
-                              bodies.rows[shape.body].localCenter);
+    const ShapeForm& form = shapes.form(slot);
+    shapes.setForm(slot, form.geometry, form.offset, form.angle,
+                   bodies.rows[shapes.rows[slot].body].localCenter);
 }
 
 // Mass, center and inertia from the shapes [DD1, DD14], as they would be with `def` in the place of the shape
@@ -153,16 +153,21 @@ MassSum World::Impl::massOfShapes(const BodyRow& b, std::uint32_t slot, const Sh
     MassSum sum;
     DVec2 weighted;
     std::vector<std::pair<MassProperties, DVec2>> parts;
-    const auto add = [&](const ShapeDef& shape) {
-        const MassProperties part = massProperties(shape.geometry, shape.density);
-        const DVec2 center =
-            toDVec2(shape.offset + rotate(Rot::ofAngle(wrapAngle(shape.angle)), part.center));
+    const auto add = [&](const Solid& solid, Vec2 offset, double angle, real density) {
+        const MassProperties part = massOf(solid, density);
+        const DVec2 center = toDVec2(offset + rotate(Rot::ofAngle(wrapAngle(angle)), part.center));
         parts.emplace_back(part, center);
         sum.mass += static_cast<double>(part.mass);
         weighted += static_cast<double>(part.mass) * center;
     };
-    for (const std::uint32_t s : b.shapes) add(def && s == slot ? *def : shapes.rows[s].def);
-    if (def && slot == kNoShape) add(*def);
+    for (const std::uint32_t s : shapes.of(b)) {
+        const ShapeForm& form = shapes.form(s);
+        if (def && s == slot)
+            add(solidOf(def->geometry), def->offset, def->angle, def->density);
+        else
+            add(form.solid, form.offset, form.angle, shapes.surface(s).density);
+    }
+    if (def && slot == kNoShape) add(solidOf(def->geometry), def->offset, def->angle, def->density);
     if (!(sum.mass > 0)) return sum;
 
     sum.center = (1 / sum.mass) * weighted;
@@ -205,7 +210,7 @@ void World::Impl::moveCenter(std::uint32_t slot, Position origin, Vec2 before, V
     b.center = origin + toDVec2(rotate(b.rotation, center));
     b.velocity += cross(b.spin, rotate(b.rotation, center - before));
     if (center != before) {
-        for (const std::uint32_t s : b.shapes) rebuildConvex(s);
+        for (const std::uint32_t s : shapes.of(b)) rebuildConvex(s);
         if (b.enabled && !b.takesPart) placeAll(slot, false);
         const auto moveAnchors = [&](std::vector<Contact>& all) {  // they are seen from the center of mass
             for (Contact& contact : all) {
@@ -221,7 +226,7 @@ void World::Impl::moveCenter(std::uint32_t slot, Position origin, Vec2 before, V
             for (SleepGroup& group : asleep.groups) moveAnchors(group.contacts);
     }
     b.extent = 0;
-    for (const std::uint32_t s : b.shapes) b.extent = maximum(b.extent, shapes.rows[s].convex.extent);
+    for (const std::uint32_t s : shapes.of(b)) b.extent = maximum(b.extent, shapes.convex(s).extent);
 }
 
 TouchEvent World::Impl::touchEvent(const Contact& contact) const

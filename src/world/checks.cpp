@@ -162,11 +162,12 @@ Complaint check(const BodyDef& def, real lengthUnit)
     return checks.first();
 }
 
-Complaint check(const ShapeDef& def, real lengthUnit)
+Complaint check(const ShapeDef& def, real lengthUnit, bool known)
 {
     const double unit = static_cast<double>(lengthUnit);
     return Checks()
-        .add(checkGeometry("ShapeDef.geometry", def.geometry, kMinSize * unit, kMaxSize * unit))
+        .add(known ? std::nullopt
+                   : checkGeometry("ShapeDef.geometry", def.geometry, kMinSize * unit, kMaxSize * unit))
         .add(checkLength("ShapeDef.offset", def.offset, kMaxSize * unit))
         .finite("ShapeDef.angle", def.angle, "must be finite rad")
         .range("ShapeDef.density", def.density, 0, kHuge, "must be finite and >= 0 kg/m^2")

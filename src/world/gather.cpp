@@ -15,7 +15,7 @@ namespace {
 void addRow(MotionTable& motions, const BodyTable& bodies, std::uint32_t slot)
 {
     motions.rowOf[slot] = static_cast<std::uint32_t>(motions.rows.size());
-    motions.rows.push_back(motionOf(bodies.rows[slot], slot));
+    motions.rows.push_back(motionOf(bodies, slot));
 }
 
 // The bodies that take part. Under gravitation all do, as each pulls the others.
@@ -30,7 +30,7 @@ void gatherMotions(const BodyTable& bodies, bool all, MotionTable& motions, Para
         for (std::size_t row = chunk.begin; row < chunk.end; ++row) {
             const std::uint32_t slot = bodies.parts[row];
             motions.rowOf[slot] = static_cast<std::uint32_t>(row);
-            motions.rows[row] = motionOf(bodies.rows[slot], slot);
+            motions.rows[row] = motionOf(bodies, slot);
         }
     });
     if (!all) return;
@@ -61,7 +61,7 @@ void predictSteady(const ContactTable& contacts, const BodyTable& bodies, const 
 }
 
 // The ways of bodies, and the boxes that hold their shapes all along them.
-void sweepBoxes(const BodyTable& bodies, ShapeTable& shapes, const MotionTable& motions,
+void sweepBoxes(const BodyTable& bodies, const ShapeTable& shapes, const MotionTable& motions,
                 const StepContext& context, ExpectedPaths& paths, std::vector<std::uint32_t>& firstOf,
                 std::vector<SweepBox>& boxes, Parallel& parallel)
 {
@@ -89,11 +89,10 @@ void sweepBoxes(const BodyTable& bodies, ShapeTable& shapes, const MotionTable& 
             const Motion& m = motions.rows[row];
             const Trajectory& path = paths.reckon(row, m, true);
             const bool moves = m.moves() || m.velocity != Vec2{} || m.spin != 0;
-            for (const std::uint32_t slot : shapesOf(row)) {
-                ShapeRow& shape = shapes.rows[slot];
-                const real margin = 3 * context.tuning.restGap * shape.convex.size;
-                shape.sweptBox = sweptBounds(shape.convex, path, m.center, 0, dt, margin);
-                *next++ = {shape.sweptBox, slot, m.body, moves};
+            for (const std::uint32_t slot : shapes.of(shapesOf(row))) {
+                const Convex& convex = shapes.convex(slot);
+                const real margin = 3 * context.tuning.restGap * convex.size;
+                *next++ = {sweptBounds(convex, path, m.center, 0, dt, margin), slot, m.body, moves};
             }
         }
     });
@@ -105,7 +104,7 @@ bool meets(const ContactWorld& world, const ShapePair& pair, const StepContext& 
     Contact contact = makeContact(world, pair);
     const auto motionAt = [&](std::uint32_t shape) {
         const std::uint32_t body = world.shapes.rows[shape].body, row = world.motions.rowOf[body];
-        return row != MotionTable::kNone ? world.motions.rows[row] : motionOf(world.bodies.rows[body], body);
+        return row != MotionTable::kNone ? world.motions.rows[row] : motionOf(world.bodies, body);
     };
     const Motion a = motionAt(pair.a), b = motionAt(pair.b);
     const SweptPair ways = sweptPairOf(contact, world.shapes, a, b, context.invH);
@@ -127,7 +126,7 @@ void World::Impl::gatherPartners()
     std::vector<std::uint32_t>& still = roused;
     still.clear();
     for (std::uint32_t row = 0; row < motions.parts; ++row) {
-        for (const std::uint32_t slot : joints.ofBody[motions.rows[row].body]) {
+        for (const std::uint32_t slot : joints.of(motions.rows[row].body)) {
             const JointRow& joint = joints.rows[slot];
             if (!joint.ties()) continue;
             const std::uint32_t other = joint.bodyA == motions.rows[row].body ? joint.bodyB : joint.bodyA;
@@ -156,10 +155,9 @@ void World::Impl::findRestPairs(const ContactWorld& world)
             const SweepBox& box = boxes[k];
             if (!box.moves) continue;
             resting.eachOverlapping(box.box, [&](std::uint32_t other) {
-                const ShapeRow& shape = shapes.rows[other];
                 const ShapePair pair{minimum(box.shape, other), maximum(box.shape, other)};
-                if (overlaps(box.box, shape.sweptBox) && mayCollide(world, pair))
-                    found.push_back({pair, bodies.rows[shape.body].group});
+                if (overlaps(box.box, restingBounds(world, other)) && mayCollide(world, pair))
+                    found.push_back({pair, bodies.rows[shapes.rows[other].body].group});
             });
         }
     });

@@ -244,7 +244,8 @@ Complaint check(const Material& material);
 Complaint check(const MassProperties& mass, real lengthUnit);
 Complaint checkMass(std::string_view field, std::string value, const MassSum& mass);
 Complaint check(const BodyDef& def, real lengthUnit);
-Complaint check(const ShapeDef& def, real lengthUnit);
+/// `known`: the geometry has been checked.
+Complaint check(const ShapeDef& def, real lengthUnit, bool known = false);
 Complaint check(const LastingForce& force, real lengthUnit);
 Complaint check(const JointKind& kind, real lengthUnit);
 Complaint check(const JointBreaking& breaking);

@@ -17,8 +17,8 @@ JointId World::Impl::createJoint(const JointDef& def)
     j.bodyA = def.bodyA.index;
     j.bodyB = def.bodyB.index;
     beginCount(j, bodies.rows[j.bodyA].angle, bodies.rows[j.bodyB].angle);
-    joints.ofBody[j.bodyA].push_back(joint.index);
-    joints.ofBody[j.bodyB].push_back(joint.index);
+    joints.tie(j.bodyA, joint.index);
+    joints.tie(j.bodyB, joint.index);
     disturbJoint(joint.index);
     return joint;
 }
@@ -28,7 +28,7 @@ void World::Impl::disturbJoint(std::uint32_t slot)
 {
     uncoupledIsStale = true;
     for (const std::uint32_t body : {joints.rows[slot].bodyA, joints.rows[slot].bodyB}) {
-        bodies.rows[body].stillTime = 0;
+        bodies.beginStillness(bodies.rows[body]);
         wake(body);
     }
 }
@@ -117,7 +117,7 @@ std::vector<Joint> Body::joints() const
     std::vector<Joint> all;
     World* const w = alive();
     if (!w) return all;
-    for (const std::uint32_t slot : w->impl_->joints.ofBody[id_.index])
+    for (const std::uint32_t slot : w->impl_->joints.of(id_.index))
         all.push_back(Joint(w, w->impl_->joints.ids.id(slot)));
     return all;
 }

@@ -63,7 +63,7 @@ void World::Impl::placeAgain(std::uint32_t slot)
 
 void World::Impl::placeAll(std::uint32_t slot, bool rouses)
 {
-    for (const std::uint32_t shape : bodies.rows[slot].shapes) place(shape, rouses);
+    for (const std::uint32_t shape : shapes.of(bodies.rows[slot])) place(shape, rouses);
 }
 
 void World::Impl::placeEverything()
@@ -75,7 +75,7 @@ void World::Impl::placeEverything()
 
 void World::Impl::displaceAll(std::uint32_t slot)
 {
-    for (const std::uint32_t shape : bodies.rows[slot].shapes) resting.remove(shape);
+    for (const std::uint32_t shape : shapes.of(bodies.rows[slot])) resting.remove(shape);
 }
 
 // Masses of bodies that nothing moves are summed up only when somebody asks: a ground of many shapes would be
@@ -95,18 +95,14 @@ void World::Impl::settle()
         std::vector<std::uint32_t> rousing;
         for (const RestingShape& entry : toPlace) {
             if (!shapes.ids.isAlive(entry.shape) || resting.holds(entry.shape)) continue;
-            ShapeRow& shape = shapes.rows[entry.shape];
-            const BodyRow& b = bodies.rows[shape.body];
+            const BodyRow& b = bodies.rows[shapes.rows[entry.shape].body];
             if (!b.enabled || b.takesPart) continue;
-            Motion m = motionOf(b, shape.body);
-            m.velocity = {};
-            m.spin = 0;
-            const real margin = 3 * settings.tuning.restGap * shape.convex.size;
-            shape.sweptBox = sweptBounds(shape.convex, predictedPath(m, m.center, 0), m.center, 0, 0, margin);
-            resting.add(entry.shape, grown(shape.sweptBox, shape.convex.extent));
+            const Convex& convex = shapes.convex(entry.shape);
+            resting.add(entry.shape, grown(restingBounds(b, convex, settings.tuning.restGap), convex.extent));
             if (entry.rouses && !asleep.isEmpty()) rousing.push_back(entry.shape);
         }
         toPlace.clear();
+        if (toPlace.capacity() > 4096) toPlace.shrink_to_fit();
         resting.settle();
         wakeAmong(rousing);
     }

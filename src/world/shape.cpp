@@ -11,6 +11,8 @@ ShapeRow& deadShapeRow()
     return row = {};
 }
 
+const ShapeSurface kNoSurface;
+
 }  // namespace
 
 bool Shape::isAlive() const noexcept
@@ -30,7 +32,8 @@ World* Shape::alive() const
 #define TAMIAS_SHAPE_ROW(name)                                                                               \
     World* const w = alive();                                                                                \
     if (w) w->impl_->settleMass(w->impl_->shapes.rows[id_.index].body);                                      \
-    ShapeRow& name = w ? w->impl_->shapes.rows[id_.index] : deadShapeRow()
+    [[maybe_unused]] const ShapeSurface& surface = w ? w->impl_->shapes.surface(id_.index) : kNoSurface;     \
+    [[maybe_unused]] ShapeRow& name = w ? w->impl_->shapes.rows[id_.index] : deadShapeRow()
 
 BodyId Shape::body() const
 {
@@ -41,7 +44,7 @@ BodyId Shape::body() const
 ShapeDef Shape::definition() const
 {
     TAMIAS_SHAPE_ROW(s);
-    return s.def;
+    return w ? w->impl_->shapes.def(id_.index) : ShapeDef{};
 }
 
 void Shape::redefine(const ShapeDef& def)
@@ -51,82 +54,89 @@ void Shape::redefine(const ShapeDef& def)
         refuse(w->impl_->checkMassWith("ShapeDef.density", def, s.body, id_.index)))
         return;
     w->impl_->disturb(s.body);
-    s.def = def;
-    w->impl_->rebuildConvex(id_.index);
+    s.userData = def.userData;
+    ShapeTable& shapes = w->impl_->shapes;
+    shapes.setForm(id_.index, def.geometry, def.offset, def.angle, w->impl_->bodies.rows[s.body].localCenter);
+    shapes.setSurface(id_.index, {def.density, def.material, def.filter});
     w->impl_->updateMass(s.body);
     w->impl_->placeAgain(id_.index);
 }
 
-const Material& Shape::material() const
+Material Shape::material() const
 {
     TAMIAS_SHAPE_ROW(s);
-    return s.def.material;
+    return surface.material;
 }
 
 void Shape::setMaterial(const Material& material)
 {
     TAMIAS_SHAPE_ROW(s);
     if (refuse(check(material))) return;
-    if (w && material != s.def.material) w->impl_->disturbShape(id_.index);
-    s.def.material = material;
+    if (!w) return;
+    ShapeSurface changed = surface;
+    if (material != surface.material) w->impl_->disturbShape(id_.index);
+    changed.material = material;
+    w->impl_->shapes.setSurface(id_.index, changed);
 }
 
 Filter Shape::filter() const
 {
     TAMIAS_SHAPE_ROW(s);
-    return s.def.filter;
+    return surface.filter;
 }
 
 void Shape::setFilter(const Filter& filter)
 {
     TAMIAS_SHAPE_ROW(s);
-    if (!w || filter == s.def.filter) return;
+    if (!w || filter == surface.filter) return;
     w->impl_->disturbShape(id_.index);
-    s.def.filter = filter;
+    ShapeSurface changed = surface;
+    changed.filter = filter;
+    w->impl_->shapes.setSurface(id_.index, changed);
     w->impl_->placeAgain(id_.index);
 }
 
 real Shape::density() const
 {
     TAMIAS_SHAPE_ROW(s);
-    return s.def.density;
+    return surface.density;
 }
 
 void Shape::setDensity(real density)
 {
     TAMIAS_SHAPE_ROW(s);
     if (!w || refuse(checkRange("density", density, 0, 1e30, "must be finite and >= 0 kg/m^2"))) return;
-    ShapeDef def = s.def;
+    ShapeDef def = w->impl_->shapes.def(id_.index);
     def.density = density;
     if (refuse(w->impl_->checkMassWith("density", def, s.body, id_.index))) return;
-    if (density != s.def.density) w->impl_->disturb(s.body);
-    s.def.density = density;
+    if (density != surface.density) w->impl_->disturb(s.body);
+    w->impl_->shapes.setSurface(id_.index, {def.density, def.material, def.filter});
     w->impl_->updateMass(s.body);
 }
 
 std::uint64_t Shape::userData() const
 {
     TAMIAS_SHAPE_ROW(s);
-    return s.def.userData;
+    return s.userData;
 }
 
 void Shape::setUserData(std::uint64_t value)
 {
     TAMIAS_SHAPE_ROW(s);
-    s.def.userData = value;
+    s.userData = value;
 }
 
 Aabb Shape::bounds() const
 {
     TAMIAS_SHAPE_ROW(s);
-    return w ? boundsOf(w->impl_->bodies.rows[s.body], s) : Aabb{};
+    return w ? boundsOf(w->impl_->bodies.rows[s.body], w->impl_->shapes.form(id_.index)) : Aabb{};
 }
 
 bool Shape::contains(Position point) const
 {
     TAMIAS_SHAPE_ROW(s);
     if (!w || refuse(checkFinite("point", point, "must be finite m"))) return false;
-    return containsPoint(w->impl_->bodies.rows[s.body], s, point);
+    return containsPoint(w->impl_->bodies.rows[s.body], w->impl_->shapes.form(id_.index), point);
 }
 
 void Shape::destroy()

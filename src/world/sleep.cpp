@@ -23,11 +23,12 @@ real speedOf(const BodyRow& b, real extent)
 {
     return length(b.velocity) + absolute(b.spin) * extent;
 }
-real paceOf(const BodyRow& b, real extent, double dt)
+real paceOf(const BodyRow& b, const MoverRow& before, real extent, double dt)
 {
-    double turn = absolute(b.angle - b.previousAngle);
+    double turn = absolute(b.angle - before.previousAngle);
     turn = minimum(turn, kTwoPi - turn);
-    return static_cast<real>((length(b.center - b.previousCenter) + turn * static_cast<double>(extent)) / dt);
+    const double way = length(b.center - before.previousCenter);
+    return static_cast<real>((way + turn * static_cast<double>(extent)) / dt);
 }
 
 bool hasRunningMotor(const JointKind& kind)
@@ -92,8 +93,7 @@ void World::Impl::wakeGroup(std::uint32_t number, bool withContacts)
     for (const std::uint32_t slot : group.bodies) {
         BodyRow& b = bodies.rows[slot];
         b.group = BodyRow::kNoGroup;
-        b.stillTime = 0;
-        b.stillSpeed = 0;
+        bodies.forgetStillness(b);
         refreshPart(slot);
     }
     asleep.bodies -= static_cast<std::uint32_t>(group.bodies.size());
@@ -110,7 +110,7 @@ void World::Impl::wakeAll()
 {
     for (std::uint32_t i = 0; i < asleep.groups.size(); ++i)
         if (!asleep.groups[i].bodies.empty()) wakeGroup(i);
-    for (const std::uint32_t slot : bodies.parts) bodies.rows[slot].stillTime = 0;
+    for (const std::uint32_t slot : bodies.parts) bodies.beginStillness(bodies.rows[slot]);
 }
 
 // Wakes the groups that touch a body that holds still itself, or one shape of it.
@@ -119,13 +119,17 @@ void World::Impl::wakeTouching(std::uint32_t slot, std::uint32_t only)
     if (asleep.isEmpty()) return;
     settle();
     std::vector<std::uint32_t> near;
-    const std::span<const std::uint32_t> all = bodies.rows[slot].shapes;
-    for (const std::uint32_t shape : only == kNoShape ? all : std::span(&only, 1)) {
-        resting.eachOverlapping(shapes.rows[shape].sweptBox, [&](std::uint32_t other) {
+    const ContactWorld world = contactWorld();
+    const auto lookAround = [&](std::uint32_t shape) {
+        resting.eachOverlapping(restingBounds(world, shape), [&](std::uint32_t other) {
             const std::uint32_t group = bodies.rows[shapes.rows[other].body].group;
             if (group != BodyRow::kNoGroup) near.push_back(group);
         });
-    }
+    };
+    if (only != kNoShape)
+        lookAround(only);
+    else
+        for (const std::uint32_t shape : shapes.of(bodies.rows[slot])) lookAround(shape);
     std::sort(near.begin(), near.end());
     near.erase(std::unique(near.begin(), near.end()), near.end());
     for (const std::uint32_t group : near) {
@@ -145,7 +149,7 @@ void World::Impl::wakeNear(std::uint32_t slot)
     const ContactWorld world = contactWorld();
     const ShapeRow& shape = shapes.rows[slot];
     std::vector<std::uint32_t> near;
-    resting.eachOverlapping(shape.sweptBox, [&](std::uint32_t other) {
+    resting.eachOverlapping(restingBounds(world, slot), [&](std::uint32_t other) {
         const std::uint32_t body = shapes.rows[other].body, group = bodies.rows[body].group;
         if (group == BodyRow::kNoGroup || body == shape.body) return;
         if (mayCollide(world, {minimum(slot, other), maximum(slot, other)})) near.push_back(group);
@@ -168,8 +172,8 @@ void World::Impl::wakeAmong(std::vector<std::uint32_t>& comers)
     for (std::uint32_t i = 0; i < asleep.groups.size(); ++i) {
         bool isMet = false;
         for (const std::uint32_t body : asleep.groups[i].bodies) {
-            for (const std::uint32_t shape : bodies.rows[body].shapes) {
-                resting.eachOverlapping(shapes.rows[shape].sweptBox, [&](std::uint32_t other) {
+            for (const std::uint32_t shape : shapes.of(bodies.rows[body])) {
+                resting.eachOverlapping(restingBounds(world, shape), [&](std::uint32_t other) {
                     if (isMet || !std::binary_search(comers.begin(), comers.end(), other)) return;
                     isMet = shapes.rows[other].body != body &&
                             mayCollide(world, {minimum(shape, other), maximum(shape, other)});
@@ -187,10 +191,10 @@ void World::Impl::disturb(std::uint32_t slot)
 {
     BodyRow& b = bodies.rows[slot];
     if (!b.enabled) return;
-    b.stillTime = 0;
+    bodies.beginStillness(b);
     if (!b.canMove()) {
         wakeTouching(slot);
-        for (const std::uint32_t joint : joints.ofBody[slot]) {
+        for (const std::uint32_t joint : joints.of(slot)) {
             wake(joints.rows[joint].bodyA);
             wake(joints.rows[joint].bodyB);
         }
@@ -204,7 +208,7 @@ void World::Impl::disturbShape(std::uint32_t shape)
     const std::uint32_t slot = shapes.rows[shape].body;
     BodyRow& b = bodies.rows[slot];
     if (!b.enabled) return;
-    b.stillTime = 0;
+    bodies.beginStillness(b);
     if (!b.canMove()) wakeTouching(slot, shape);
     wake(slot);
 }
@@ -293,8 +297,7 @@ void World::Impl::storeContacts()
         if (!b.isAsleep() || !b.takesPart) continue;
         b.velocity = {};
         b.spin = 0;
-        b.stillTime = 0;
-        b.stillSpeed = 0;
+        bodies.forgetStillness(b);
         refreshPart(slot);
     }
 }
@@ -358,16 +361,17 @@ void World::Impl::fallAsleep(const StepContext& context)
         if (!b.isDynamic() || !b.takesPart) continue;
 
         // Still is what is slow and does not get faster: what begins to slide or to topple is left alone.
-        const real speed = maximum(speedOf(b, m.extent), paceOf(b, m.extent, context.dt));
-        const bool still = speed <= limit && speed <= maximum(b.stillSpeed, nothing);
-        b.stillTime = still ? b.stillTime + static_cast<real>(context.dt) : real(0);
-        if (!still) b.stillSpeed = speed <= limit ? speed : real(0);
+        MoverRow& mover = bodies.moverFor(b);
+        const real speed = maximum(speedOf(b, m.extent), paceOf(b, mover, m.extent, context.dt));
+        const bool still = speed <= limit && speed <= maximum(mover.stillSpeed, nothing);
+        mover.stillTime = still ? mover.stillTime + static_cast<real>(context.dt) : real(0);
+        if (!still) mover.stillSpeed = speed <= limit ? speed : real(0);
         // A swing slows down to its turning point and no further.
-        if (b.stillTime >= tuning.sleepTime && b.stillSpeed - speed > limit / 4) {
-            b.stillTime = 0;
-            b.stillSpeed = speed;
+        if (mover.stillTime >= tuning.sleepTime && mover.stillSpeed - speed > limit / 4) {
+            mover.stillTime = 0;
+            mover.stillSpeed = speed;
         }
-        any = any || (b.allowSleep && b.stillTime >= tuning.sleepTime);
+        any = any || (b.allowSleep && mover.stillTime >= tuning.sleepTime);
     }
     if (!any || !maySleep()) return;
 
@@ -412,7 +416,7 @@ void World::Impl::fallAsleep(const StepContext& context)
         const BodyRow& b = bodies.rows[motions.rows[row].body];
         if (!b.isDynamic() || !b.takesPart) continue;
         SleepScratch::Verdict& verdict = verdicts[sets.leader(row)];
-        const bool ready = b.allowSleep && b.stillTime >= tuning.sleepTime;
+        const bool ready = b.allowSleep && bodies.mover(b).stillTime >= tuning.sleepTime;
         verdict.restless = verdict.restless || !ready;
         verdict.drifts = verdict.drifts || b.hasVelocity();
     }

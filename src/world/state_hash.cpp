@@ -4,6 +4,7 @@
 // hashed.
 
 #include "base/hash.hpp"
+#include "geometry/bits.hpp"
 #include "world/impl.hpp"
 
 namespace tamias2d::inline TAMIAS_PRECISION {
@@ -52,56 +53,37 @@ void add(Hasher& hash, const WorldDef& def)
     addFlags(hash, def.allowSleep);
 }
 
-void add(Hasher& hash, const Geometry& geometry)
+void add(Hasher& hash, const ShapeForm& form, const ShapeSurface& surface)
 {
-    hash.add(std::uint64_t{geometry.index()});
-    if (const auto* circle = std::get_if<Circle>(&geometry)) {
-        add(hash, circle->center);
-        hash.add(circle->radius);
-    } else if (const auto* capsule = std::get_if<Capsule>(&geometry)) {
-        add(hash, capsule->a);
-        add(hash, capsule->b);
-        hash.add(capsule->radius);
-    } else if (const auto* segment = std::get_if<Segment>(&geometry)) {
-        add(hash, segment->a);
-        add(hash, segment->b);
-        hash.add(segment->radius);
-    } else if (const auto* polygon = std::get_if<Polygon>(&geometry)) {
-        hash.add(static_cast<std::uint64_t>(polygon->count));
-        for (const Vec2 v : polygon->points()) add(hash, v);
-        hash.add(polygon->radius);
-    }
-}
-
-void add(Hasher& hash, const ShapeDef& def)
-{
-    add(hash, def.geometry);
-    add(hash, def.offset);
-    hash.add(def.angle);
-    const Material& m = def.material;
-    for (const real value : {def.density, m.friction, m.restitution, m.rollingResistance, m.surfaceSpeed})
+    addBits(hash, form.geometry);
+    add(hash, form.offset);
+    hash.add(form.angle);
+    const Material& m = surface.material;
+    for (const real value : {surface.density, m.friction, m.restitution, m.rollingResistance, m.surfaceSpeed})
         hash.add(value);
     addFlags(hash, m.frictionMixing, m.restitutionMixing);
-    hash.add(def.filter.category);
-    hash.add(def.filter.mask);
-    hash.add(static_cast<std::uint64_t>(def.filter.group));
+    hash.add(surface.filter.category);
+    hash.add(surface.filter.mask);
+    hash.add(static_cast<std::uint64_t>(surface.filter.group));
 }
 
-void add(Hasher& hash, const BodyRow& b)
+void add(Hasher& hash, const BodyRow& b, const MoverRow& mover, const BodyExtra& extra)
 {
     addFlags(hash, b.allowSleep, b.isAsleep());
-    hash.add(b.stillTime);
-    hash.add(b.stillSpeed);
-    addFlags(hash, b.type, b.enabled, b.lockX, b.lockY, b.lockRotation, b.massIsSet, b.gravity.has_value());
+    hash.add(mover.stillTime);
+    hash.add(mover.stillSpeed);
+    addFlags(hash, b.type, b.enabled, b.lockX, b.lockY, b.lockRotation, b.massIsSet,
+             extra.gravity.has_value());
     add(hash, b.center);
     hash.add(b.angle);
     add(hash, b.localCenter);
-    for (const real value : {b.velocity.x, b.velocity.y, b.spin, b.mass, b.inertia, b.stepForce.x,
-                             b.stepForce.y, b.stepTorque, b.linearDamping, b.angularDamping, b.gravityScale})
+    for (const real value :
+         {b.velocity.x, b.velocity.y, b.spin, b.mass, b.inertia, mover.stepForce.x, mover.stepForce.y,
+          mover.stepTorque, mover.linearDamping, mover.angularDamping, mover.gravityScale})
         hash.add(value);
-    add(hash, b.gravity.value_or(Vec2{}));
-    hash.add(std::uint64_t{b.lasting.size()});
-    for (const LastingForce& f : b.lasting) {
+    add(hash, extra.gravity.value_or(Vec2{}));
+    hash.add(std::uint64_t{extra.lasting.size()});
+    for (const LastingForce& f : extra.lasting) {
         add(hash, f.force);
         add(hash, f.point);
         addFlags(hash, f.forceTurns, f.pointTurns);
@@ -281,11 +263,11 @@ std::uint64_t World::stateHash() const noexcept
         if (!impl_->bodies.ids.isAlive(slot)) continue;
         const BodyRow& body = impl_->bodies.rows[slot];
         hash.add(std::uint64_t{slot});
-        add(hash, body);
+        add(hash, body, impl_->bodies.mover(body), impl_->bodies.extra(body));
         hash.add(std::uint64_t{body.shapes.size()});
-        for (const std::uint32_t shape : body.shapes) {
+        for (const std::uint32_t shape : impl_->shapes.of(body)) {
             hash.add(std::uint64_t{shape});
-            add(hash, impl_->shapes.rows[shape].def);
+            add(hash, impl_->shapes.form(shape), impl_->shapes.surface(shape));
         }
         if (!body.isAsleep()) continue;
         // Who wakes with it, and what they carry; told once, by the first of a group.

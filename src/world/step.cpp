@@ -148,7 +148,7 @@ void World::Impl::sortContacts()
 void World::Impl::rememberLeavers()
 {
     for (const std::uint32_t slot : leavers)
-        if (bodies.ids.isAlive(slot) && !bodies.rows[slot].takesPart) remember(bodies.rows[slot]);
+        if (bodies.ids.isAlive(slot) && !bodies.rows[slot].takesPart) remember(bodies, slot);
     leavers.clear();
 }
 

@@ -21,10 +21,9 @@ void validateMass(const BodyRow& b, const MassSum& sum, Faults& faults)
 }
 
 // What the solver sees of a shape is its geometry about the center of mass.
-void validateConvex(const ShapeRow& s, Vec2 center, Faults& faults)
+void validateConvex(const ShapeForm& s, Vec2 center, Faults& faults)
 {
-    const Convex anew =
-        makeConvex(s.def.geometry, s.def.offset, Rot::ofAngle(wrapAngle(s.def.angle)), center);
+    const Convex anew = makeConvex(s.geometry, s.offset, Rot::ofAngle(wrapAngle(s.angle)), center);
     faults.that(anew.count == s.convex.count && anew.radius == s.convex.radius &&
                     anew.extent == s.convex.extent && anew.vertices[0] == s.convex.vertices[0],
                 "convex.extent", s.convex.extent, "must be that of its geometry about the center of mass");
@@ -66,7 +65,7 @@ void World::Impl::validate(Faults& faults) const
         faults.at("bodies", slot);
         validateMass(b, massOfShapes(b), faults);
         faults.at("shapes of body", slot);
-        for (const std::uint32_t s : b.shapes) validateConvex(shapes.rows[s], b.localCenter, faults);
+        for (const std::uint32_t s : shapes.of(b)) validateConvex(shapes.form(s), b.localCenter, faults);
     }
     validateLaws(laws, lawIds, bodies, faults);
     validateJoints(joints, bodies, faults);

@@ -65,7 +65,7 @@ std::optional<Body> World::findBody(BodyId id) noexcept
 std::optional<Body> World::findBody(std::string_view name) noexcept
 {
     for (std::uint32_t slot = 0; slot < impl_->bodies.rows.size(); ++slot)
-        if (impl_->bodies.ids.isAlive(slot) && impl_->bodies.rows[slot].name == name)
+        if (impl_->bodies.ids.isAlive(slot) && impl_->bodies.extra(impl_->bodies.rows[slot]).name == name)
             return Body(this, impl_->bodies.ids.id(slot));
     return std::nullopt;
 }

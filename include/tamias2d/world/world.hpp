@@ -39,7 +39,7 @@ public:
     /// Replaces geometry, density, material, filter and all; the body's mass follows. Contacts go on.
     void redefine(const ShapeDef& def);
 
-    const Material& material() const;
+    Material material() const;
     void setMaterial(const Material& material);
     Filter filter() const;
     void setFilter(const Filter& filter);  ///< contacts no longer allowed end at the next step

@@ -28,9 +28,10 @@ struct Tables {
     {
         for (std::uint32_t i = 0; i < 4; ++i) addBall(i);
         bodies.ids.giveBack(3);  // a free slot
-        bodies.rows[3] = {};
+        shapes.unlink(bodies.rows[3].shapes, 3);
+        shapes.clear(3);
         shapes.ids.giveBack(3);
-        shapes.rows[3] = {};
+        bodies.clear(bodies.rows[3]);
         addContact(0, 1, 0);
         addContact(1, 2, 1);
         contacts.colorEnds = {1, 2, 2};
@@ -65,11 +66,11 @@ private:
         BodyRow& b = bodies.rows.emplace_back();
         b.center = {real(1.001) * static_cast<real>(i), 0};
         b.mass = b.inertia = 1;
-        b.shapes = {i};
-        ShapeRow& s = shapes.rows.emplace_back();
-        s.body = i;
-        s.def.geometry = Circle{{}, real(0.5)};
-        s.convex = makeConvex(s.def.geometry, {}, {}, {});
+        bodies.moverFor(b);
+        shapes.rows.emplace_back().body = i;
+        shapes.setForm(i, Circle{{}, real(0.5)}, {}, 0, {});
+        shapes.setSurface(i, {});
+        shapes.link(b.shapes, i);
         if (i == 3) return;
         Motion m;
         m.body = i;
@@ -148,7 +149,7 @@ TEST(Validate, TellsWhatIsWrongWithBodies)
         {"bodies[0].rotation", [](Tables& t) { t.bodies.rows[0].angle = 1; }},
         {"bodies[0].mass = 0: must be finite and > 0 kg", [](Tables& t) { t.bodies.rows[0].mass = 0; }},
         {"bodies[0].inertia = -1", [](Tables& t) { t.bodies.rows[0].inertia = -1; }},
-        {"bodies[0].linearDamping = -1", [](Tables& t) { t.bodies.rows[0].linearDamping = -1; }},
+        {"bodies[0].linearDamping = -1", [](Tables& t) { t.bodies.movers[0].linearDamping = -1; }},
         {"bodies[0].velocity = (1, 0): must be 0 of a static body",
          [](Tables& t) {
              t.bodies.rows[0].type = BodyType::Static;
@@ -156,13 +157,19 @@ TEST(Validate, TellsWhatIsWrongWithBodies)
          }},
         {"bodies[0].type = 3", [](Tables& t) { t.bodies.rows[0].type = static_cast<BodyType>(3); }},
         {"bodies[0].shapes = 0: must be of one body, once",
-         [](Tables& t) { t.bodies.rows[0].shapes = {0, 0}; }},
+         [](Tables& t) { t.bodies.rows[0].shapes.count = 2; }},
         {"bodies[0].shapes = 1: must be a live shape of it",
-         [](Tables& t) { t.bodies.rows[0].shapes = {0, 1}; }},
+         [](Tables& t) { t.bodies.rows[0].shapes.first = 1; }},
         {"bodies[0].shapes = 9: must be a live shape of it",
-         [](Tables& t) { t.bodies.rows[0].shapes = {0, 9}; }},
+         [](Tables& t) { t.bodies.rows[0].shapes.first = 9; }},
+        {"bodies[0].next = 1: must come after it", [](Tables& t) { t.shapes.rows[0].next = 1; }},
+        {"bodies[0].mover = 4294967295: must be one unless it is static",
+         [](Tables& t) { t.bodies.rows[0].mover = BodyRow::kNone; }},
+        {"bodies[0].movers = 3: must be of one body each",
+         [](Tables& t) { t.bodies.rows[0].mover = BodyRow::kNone; }},
+        {"bodies[0].extras = 1: must be of one body each", [](Tables& t) { t.bodies.extras.take(); }},
         {"bodies[3].shapes = 1: must be none of a dead body",
-         [](Tables& t) { t.bodies.rows[3].shapes = {0}; }},
+         [](Tables& t) { t.bodies.rows[3].shapes = {0, 1}; }},
         {"bodies[0].rows = 3: must be as many as there are slots",
          [](Tables& t) { t.bodies.rows.pop_back(); }},
     });
@@ -172,20 +179,29 @@ TEST(Validate, TellsWhatIsWrongWithShapes)
 {
     TRACES("R4", "ADR4");
     expectTold({
-        {"shapes[0].owned = 2: must be all live shapes", [](Tables& t) { t.bodies.rows[1].shapes.clear(); }},
+        {"shapes[0].owned = 2: must be all live shapes", [](Tables& t) { t.bodies.rows[1].shapes = {}; }},
         {"shapes[1].body = 3: must be a live body", [](Tables& t) { t.shapes.rows[1].body = 3; }},
-        {"shapes[1].convex.size = 0: must be finite and > 0 m",
-         [](Tables& t) { t.shapes.rows[1].convex.size = 0; }},
-        {"shapes[1].convex.count = 0", [](Tables& t) { t.shapes.rows[1].convex.count = 0; }},
-        {"shapes[1].convex.vertices", [](Tables& t) { t.shapes.rows[1].convex.vertices[0].x = kNan; }},
-        {"geometry.radius = -1", [](Tables& t) { t.shapes.rows[1].def.geometry = Circle{{}, -1}; }},
-        {"shapes[1].def.material.restitution = 2",
-         [](Tables& t) { t.shapes.rows[1].def.material.restitution = 2; }},
-        {"shapes[1].sweptBox", [](Tables& t) { t.shapes.rows[1].sweptBox.lower.x = 1; }},
+        {"shapes[0].convex.size = 0: must be finite and > 0 m",
+         [](Tables& t) { t.shapes.forms.spoil(0).convex.size = 0; }},
+        {"shapes[0].convex.count = 0", [](Tables& t) { t.shapes.forms.spoil(0).convex.count = 0; }},
+        {"shapes[0].convex.vertices", [](Tables& t) { t.shapes.forms.spoil(0).convex.vertices[0].x = kNan; }},
+        {"geometry.radius = -1", [](Tables& t) { t.shapes.forms.spoil(0).geometry = Circle{{}, -1}; }},
+        {"shapes[0].material.restitution = 2",
+         [](Tables& t) { t.shapes.surfaces.spoil(0).material.restitution = 2; }},
+        {"shapes[1].form = 4294967295: must be one that there is",
+         [](Tables& t) { t.shapes.rows[1].form = BodyRow::kNone; }},
+        {"forms[0].users = 3: must be the shapes that have it",
+         [](Tables& t) { t.shapes.rows[1].form = BodyRow::kNone; }},
+        {"surfaces[1].users = 1: must be the shapes that have it",
+         [](Tables& t) {
+             std::uint32_t none = t.shapes.rows[1].surface;
+             t.shapes.setSurface(1, {2, {}, {}});
+             t.shapes.rows[1].surface = none;
+         }},
         {"convex.normals = 0: must have length 1",
          [](Tables& t) {
-             t.shapes.rows[1].convex = makeConvex(makeBox(1, 1), {}, {}, {});
-             t.shapes.rows[1].convex.normals[2] = {};
+             t.shapes.setForm(1, makeBox(1, 1), {}, 0, {});
+             t.shapes.forms.spoil(t.shapes.rows[1].form).convex.normals[2] = {};
          }},
     });
 }
@@ -202,7 +218,7 @@ TEST(Validate, TellsWhatIsWrongWithJoints)
         {"joints[0].ofBody = 0: must list it once", [](Tables& t) { t.joints.ofBody[0].push_back(0); }},
         {"joints[0].ofBody = 5: must be two for each live joint",
          [](Tables& t) { t.joints.ofBody[2].push_back(7); }},
-        {"ofBody = 3: must be one list a body", [](Tables& t) { t.joints.ofBody.resize(3); }},
+        {"ofBody = 5: must be one list a body at most", [](Tables& t) { t.joints.ofBody.resize(5); }},
         {"joints[0].angle = nan: must be finite", [](Tables& t) { t.joints.rows[0].angle = kNan; }},
         {"joints[0].notch", [](Tables& t) { t.joints.rows[0].notch = kNan; }},
         {"joints[0].impulses", [](Tables& t) { t.joints.rows[0].impulses[0] = kNan; }},
