@@ -9,6 +9,7 @@ turns. With --page it writes docs/performance.md and its picture. Exit 0 done, 1
 import argparse
 import json
 import platform
+import signal
 import statistics
 import subprocess
 import sys
@@ -73,11 +74,23 @@ def chosen(wanted: list[str], known: list[dict], parser: argparse.ArgumentParser
 
 def measure(scene: str, engines: list[str], programs: Path, args) -> dict:
     runs = {engine: [] for engine in engines}
+    dead = {}
     for _ in range(args.turns):
         for engine in engines:
-            runs[engine].append(run_once(programs / engine, scene, args))
+            if engine in dead:
+                continue
+            try:
+                runs[engine].append(run_once(programs / engine, scene, args))
+            except subprocess.CalledProcessError as error:
+                if engine == OURS:
+                    raise
+                dead[engine] = end_of(error)
     found = {}
     for engine, lines in runs.items():
+        if engine in dead:
+            found[engine] = {"engine": engine.removeprefix("bench_"), "died": dead[engine]}
+            print(f"{scene:<15} {found[engine]['engine'][:16]:<16} {dead[engine]}", flush=True)
+            continue
         times = [line["stepMs"] for line in lines]
         ratios = [line["stepMs"] / ours["stepMs"] for line, ours in zip(lines, runs[OURS])]
         middle = min(lines, key=lambda line: abs(line["stepMs"] - statistics.median(times)))
@@ -85,6 +98,13 @@ def measure(scene: str, engines: list[str], programs: Path, args) -> dict:
                                   "ratioFrom": min(ratios), "ratioTo": max(ratios)}
         print(row(scene, found[engine]), flush=True)
     return found
+
+
+def end_of(error: subprocess.CalledProcessError) -> str:
+    """How a program that another engine is linked to ended: most often it wanted more memory than there is."""
+    if error.returncode < 0:
+        return f"killed by {signal.Signals(-error.returncode).name}"
+    return f"failed with exit code {error.returncode}"
 
 
 def run_once(program: Path, scene: str, args) -> dict:
@@ -133,12 +153,41 @@ def page(record: dict) -> str:
     lines = ["| " + " | ".join(head) + " |", "|" + " --- |" * len(head)]
     for scene, engines in record["scenes"].items():
         for r in engines.values():
+            if "died" in r:
+                lines.append("| " + " | ".join([scene, r["engine"], r["died"]] + [""] * (len(head) - 3)) + " |")
+                continue
             cells = [scene, r["engine"], f"{r['stepMs']:.4f}", f"{r['ratio']:.2f}",
                      f"{r['ratioFrom']:.2f} - {r['ratioTo']:.2f}", f"{1e6 * r['stepMs'] / max(r['bodies'], 1):.0f}",
                      f"{r['deepest']:.1e}", f"{r['mean']:.1e}", f"{r['kineticEnergyPerBody']:.1e}",
                      f"{r['fastest']:.1e}", f"{r['top']:.2f}"]
             lines.append("| " + " | ".join(cells) + " |")
-    return HOW_TO_READ.format(**record) + "\n" + "\n".join(lines) + "\n"
+    return HOW_TO_READ.format(**record) + "\n" + "\n".join(lines) + "\n\n" + memory_page(record)
+
+
+MEMORY = """\
+## Memory
+
+Bytes that the tables of Tamias2D hold at the end of a scene, by body that may move and by contact, as
+`World::memory()` tells them ([guide](guide/memory.md)). What lasts is what a body and its shapes take whether they
+move or not; the rest is what a step works with, and is kept from step to step.
+
+"""
+
+
+def memory_page(record: dict) -> str:
+    """Bytes by body and by contact, of the scenes of which our program told."""
+    lines = ["| Scene | bodies | contacts | lasting, a body | in a step, a body | a contact | all [MB] |", "|" + " --- |" * 7]
+    for scene, engines in record["scenes"].items():
+        r = engines.get(OURS, {})
+        if "memoryBytes" not in r:
+            continue
+        of_contacts = sum(b for name, b in r["memoryBytes"].items() if name.startswith("contacts"))
+        of_steps = sum(b for name, b in r["memoryBytes"].items() if name.endswith("in a step"))
+        everything = sum(r["memoryBytes"].values())
+        bodies, contacts = max(r["bodies"], 1), max(r["contactsAtEnd"], 1)
+        lines.append(f"| {scene} | {r['bodies']} | {r['contactsAtEnd']} | {(everything - of_contacts - of_steps) / bodies:.0f} | "
+                     f"{of_steps / bodies:.0f} | {of_contacts / contacts:.0f} | {everything / 1e6:.1f} |")
+    return MEMORY + "\n".join(lines) + "\n"
 
 
 if __name__ == "__main__":

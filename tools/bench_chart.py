@@ -20,7 +20,9 @@ def draw(record: dict, ours: str, picture: Path) -> None:
     height = 0.8 / max(len(peers), 1)
     for i, peer in enumerate(peers):
         known = [(k, record["scenes"][scene][peer]) for k, scene in enumerate(scenes)
-                 if peer in record["scenes"][scene]]
+                 if "ratio" in record["scenes"][scene].get(peer, {})]
+        if not known:
+            continue
         places = [k + (i - (len(peers) - 1) / 2) * height for k, _ in known]
         bars = axes.barh(places, [r["ratio"] for _, r in known], height * 0.9, label=known[0][1]["engine"])
         axes.bar_label(bars, [f"{r['ratio']:.2g}" for _, r in known], padding=2, fontsize=6)

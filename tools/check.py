@@ -106,15 +106,38 @@ def check_tidy(args) -> list[str]:
         entry["command"] = re.sub(r" -Werror(?=\s)", "", entry["command"])
     database = ROOT / args.build / "tidy"
     database.mkdir(exist_ok=True)
-    (database / "compile_commands.json").write_text(json.dumps(list(commands.values())))
+    units = tidy_units(commands, database)
+    (database / "compile_commands.json").write_text(json.dumps(units))
 
-    def run(name: str) -> str:
-        done = subprocess.run([tool, "-p", database, "--quiet", "--warnings-as-errors=*", name], cwd=ROOT,
+    def run(unit: dict) -> str:
+        done = subprocess.run([tool, "-p", database, f"--config-file={ROOT / '.clang-tidy'}", "--quiet",
+                               "--warnings-as-errors=*", "--checks=-bugprone-suspicious-include",
+                               r"--header-filter=(include|src)/.*\.[ch]pp", unit["file"]], cwd=ROOT,
                               capture_output=True, text=True)
-        return done.stdout if done.returncode else ""
+        return done.stdout or done.stderr if done.returncode else ""
 
     with ThreadPoolExecutor(os.cpu_count() or 2) as pool:
-        return [text for text in pool.map(run, sorted(commands)) if text]
+        return sorted({text for text in pool.map(run, units) if text})
+
+
+def tidy_units(commands: dict, folder: Path) -> list[dict]:
+    """The sources of the core, some dozens to a unit that includes them: most of the time goes into headers. Each
+    switch has units of its own, as has each source of a layer that is not made to be one unit with others."""
+    groups: dict[str, list[str]] = {}
+    for name, entry in sorted(commands.items()):
+        switches = re.sub(r" -o \S+ -c \S+", "", entry["command"])
+        alone = Path(name).relative_to(ROOT / "src").parts[0] in FREE_LAYERS
+        groups.setdefault(switches + (" # " + name if alone else ""), []).append(name)
+    units = []
+    for switches, names in groups.items():
+        parts = max(1, round(len(names) / 24))
+        for part in range(parts):
+            unit = folder / f"unit{len(units)}.cpp"
+            included = names[len(names) * part // parts:len(names) * (part + 1) // parts]
+            unit.write_text("".join(f'#include "{name}"\n' for name in included))
+            units.append({"directory": commands[names[0]]["directory"], "file": str(unit),
+                          "command": f"{switches.split(' # ')[0]} -o {unit}.o -c {unit}"})
+    return units
 
 
 def check_banned(args) -> list[str]:

@@ -28,6 +28,8 @@ public:
     virtual void setVelocity(std::size_t body, Vec velocity, double spin) = 0;
     virtual Counts counts() const = 0;
     virtual std::map<std::string, double> phases() const { return {}; }  ///< of the last step   [ms]
+    /// Bytes that its tables hold, by name; empty: it does not say.
+    virtual std::map<std::string, std::size_t> memory() const { return {}; }
     /// Writes a profile of all steps from now on to `out`, until the engine is destroyed; false: it has none.
     virtual bool profileTo(std::ostream&) { return false; }
 };

@@ -75,6 +75,7 @@ nlohmann::json run(const Scene& scene, int steps, const Options& options, const 
                            {"top", quality.top},
                            {"awakeAtEnd", last.awake},
                            {"contactsAtEnd", last.contacts}};
+    if (const auto memory = engine->memory(); !memory.empty()) line["memoryBytes"] = memory;
     if (last.awake >= 0) line["nsPerAwakeBody"] = 1e6 * total / steps / std::max(awake, 1.0);
     if (last.contacts >= 0) line["nsPerContact"] = 1e6 * total / steps / std::max(contacts, 1.0);
     if (last.hash != 0) line["hash"] = fmt::format("{:016x}", last.hash);

@@ -88,6 +88,13 @@ public:
                 {"impacts", t.impacts}, {"solve", t.solve},         {"finalize", t.finalize}};
     }
 
+    std::map<std::string, std::size_t> memory() const override
+    {
+        std::map<std::string, std::size_t> bytes;
+        for (const TableMemory& table : world_.memory().tables) bytes.emplace(table.name, table.bytes);
+        return bytes;
+    }
+
 private:
     void add(const SceneBody& source)
     {

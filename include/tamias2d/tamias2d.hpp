@@ -24,5 +24,6 @@
 #include <tamias2d/tasks/task_system.hpp>
 #include <tamias2d/world/fixed_stepper.hpp>
 #include <tamias2d/world/joint.hpp>
+#include <tamias2d/world/memory.hpp>
 #include <tamias2d/world/report.hpp>
 #include <tamias2d/world/world.hpp>

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "base/memory.hpp"
+
 #include <tamias2d/base/ids.hpp>
 
 #include <algorithm>
@@ -16,7 +18,10 @@ namespace tamias2d::inline TAMIAS_PRECISION {
 template <class IdType>
 class IdPool {
 public:
-    explicit IdPool(std::uint32_t world) : world_(world) {}
+    explicit IdPool(std::uint32_t world, MemorySource memory = nullptr)
+        : world_(world), generations_(sourceOr(memory)), free_(sourceOr(memory))
+    {
+    }
 
     IdType take()
     {
@@ -51,6 +56,7 @@ public:
 
     std::uint32_t slots() const { return static_cast<std::uint32_t>(generations_.size()); }
     std::size_t alive() const { return alive_; }
+    std::size_t bytes() const { return bytesOf(generations_) + bytesOf(free_); }
 
     /// What is wrong with it, in words; null if nothing is.
     const char* fault() const
@@ -61,7 +67,7 @@ public:
         if (free_.size() + alive != generations_.size()) return "must have each dead slot free";
         if (!std::is_heap(free_.begin(), free_.end(), std::greater<>{}))
             return "must find the lowest free slot";
-        std::vector<std::uint32_t> sorted = free_;
+        std::vector<std::uint32_t> sorted(free_.begin(), free_.end());
         std::sort(sorted.begin(), sorted.end());
         for (std::size_t i = 0; i < sorted.size(); ++i)
             if (sorted[i] >= slots() || isAlive(sorted[i]) || (i > 0 && sorted[i] == sorted[i - 1]))
@@ -71,8 +77,8 @@ public:
 
 private:
     std::uint32_t world_;
-    std::vector<std::uint32_t> generations_;
-    std::vector<std::uint32_t> free_;  // a heap, lowest on top
+    Column<std::uint32_t> generations_;
+    Column<std::uint32_t> free_;  // a heap, lowest on top
     std::size_t alive_ = 0;
 };
 

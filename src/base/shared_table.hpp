@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <tamias2d/base/config.hpp>
+#include "base/memory.hpp"
 
 #include <cstdint>
-#include <vector>
 
 namespace tamias2d::inline TAMIAS_PRECISION {
 
@@ -17,6 +16,11 @@ template <class Row>
 class SharedTable {
 public:
     static constexpr std::uint32_t kNone = 0xffffffffu;
+
+    explicit SharedTable(MemorySource memory = nullptr)
+        : rows_(sourceOr(memory)), links_(sourceOr(memory)), heads_(sourceOr(memory)), free_(sourceOr(memory))
+    {
+    }
 
     /// The number of the row that matches the key, which has one more user from now on.
     template <class Key>
@@ -58,7 +62,9 @@ public:
     }
     const Row& operator[](std::uint32_t number) const { return rows_[number]; }
     std::size_t size() const { return rows_.size() - free_.size(); }   ///< that are in use
-    std::size_t slots() const { return rows_.size(); }
+    std::size_t slots() const { return rows_.size(); }                 ///< that were ever in use at once
+    std::size_t capacity() const { return rows_.capacity(); }
+    std::size_t bytes() const { return bytesOf(rows_) + bytesOf(links_) + bytesOf(heads_) + bytesOf(free_); }
     std::uint32_t users(std::uint32_t number) const { return links_[number].users; }
 
     Row& spoil(std::uint32_t number) { return rows_[number]; }   ///< for tests: all users see it
@@ -69,10 +75,10 @@ private:
         std::uint32_t next;   // of those with the same head
         std::uint32_t users;
     };
-    std::vector<Row> rows_;
-    std::vector<Link> links_;            // by row
-    std::vector<std::uint32_t> heads_;   // by hash, a power of two of them
-    std::vector<std::uint32_t> free_;
+    Column<Row> rows_;
+    Column<Link> links_;            // by row
+    Column<std::uint32_t> heads_;   // by hash, a power of two of them
+    Column<std::uint32_t> free_;
     std::uint32_t last_ = kNone;         // taken
 
     std::size_t place(std::uint64_t hash) const { return hash & (heads_.size() - 1); }

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <tamias2d/base/config.hpp>
+#include "base/memory.hpp"
 
 #include <cstdint>
-#include <vector>
 
 namespace tamias2d::inline TAMIAS_PRECISION {
 
@@ -14,6 +13,8 @@ template <class Row>
 class SideTable {
 public:
     static constexpr std::uint32_t kNone = 0xffffffffu;
+
+    explicit SideTable(MemorySource memory = nullptr) : rows_(sourceOr(memory)), free_(sourceOr(memory)) {}
 
     /// The number of a row that is as new.
     std::uint32_t take()
@@ -38,11 +39,13 @@ public:
     Row& operator[](std::uint32_t number) { return rows_[number]; }
     const Row& operator[](std::uint32_t number) const { return rows_[number]; }
     std::size_t size() const { return rows_.size() - free_.size(); }   ///< that are in use
-    std::size_t slots() const { return rows_.size(); }
+    std::size_t slots() const { return rows_.size(); }                 ///< that were ever in use at once
+    std::size_t capacity() const { return rows_.capacity(); }
+    std::size_t bytes() const { return bytesOf(rows_) + bytesOf(free_); }
 
 private:
-    std::vector<Row> rows_;
-    std::vector<std::uint32_t> free_;
+    Column<Row> rows_;
+    Column<std::uint32_t> free_;
 };
 
 }  // namespace tamias2d::inline TAMIAS_PRECISION

@@ -121,7 +121,8 @@ void RestTrees::sortAlongCurve()
 std::size_t RestTrees::bytes() const
 {
     return nodes_.capacity() * sizeof(Node) + freePairs_.capacity() * sizeof(std::uint32_t) +
-           added_.capacity() * sizeof(Leaf) + places_.capacity() * sizeof(std::uint32_t);
+           added_.capacity() * sizeof(Leaf) + trees_.capacity() * sizeof(Tree) +
+           places_.capacity() * sizeof(std::uint32_t);
 }
 
 std::uint32_t RestTrees::takePair()

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "base/memory.hpp"
 #include "broadphase/float_box.hpp"
 
 #include <tamias2d/math/vec2.hpp>
@@ -16,12 +17,18 @@ namespace tamias2d::inline TAMIAS_PRECISION {
 /// What is removed leaves its tree, which never grows deeper.
 class RestTrees {
 public:
+    explicit RestTrees(MemorySource memory = nullptr)
+        : nodes_(sourceOr(memory)), freePairs_(sourceOr(memory)), trees_(sourceOr(memory)),
+          added_(sourceOr(memory)), places_(sourceOr(memory))
+    {
+    }
     /// Adds a shape that is not here. It is found from the next settle() on.
     void add(std::uint32_t shape, const Aabb& box);
     /// Removes a shape, if it is here.
     void remove(std::uint32_t shape);
     bool holds(std::uint32_t shape) const { return shape < places_.size() && places_[shape] != kNone; }
     std::size_t size() const { return count_; }
+    std::size_t places() const { return places_.size(); }  ///< shapes that there is a place for
     /// Builds a tree of what was added.
     void settle();
 
@@ -81,11 +88,11 @@ private:
         std::uint32_t size;  // leaves
     };
 
-    std::vector<Node> nodes_;  // in pairs; the first of a pair is even
-    std::vector<std::uint32_t> freePairs_;
-    std::vector<Tree> trees_;
-    std::vector<Leaf> added_;  // not in a tree yet
-    std::vector<std::uint32_t> places_;  // by shape: node, or index into added_ with kAdded, or kNone
+    Column<Node> nodes_;  // in pairs; the first of a pair is even
+    Column<std::uint32_t> freePairs_;
+    Column<Tree> trees_;
+    Column<Leaf> added_;  // not in a tree yet
+    Column<std::uint32_t> places_;  // by shape: node, or index into added_ with kAdded, or kNone
     std::size_t count_ = 0;
 
     template <class Meets, class Visit>

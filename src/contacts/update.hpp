@@ -56,6 +56,10 @@ public:
     void want(const Contact& contact, const ShapeTable& shapes);
     /// Reckons the ways of all that are wanted and have none yet.
     void reckonWanted(const MotionTable& motions, Parallel& parallel);
+    std::size_t bytes() const
+    {
+        return rows_.capacity() * sizeof(Row) + wanted_.capacity() * sizeof(std::uint32_t);
+    }
 
     /// Both ways of a pair, as sweptPairOf.
     SweptPair pairOf(const Contact& contact, const ShapeTable& shapes, const MotionTable& motions) const;

@@ -100,10 +100,13 @@ struct BodyExtra {
 
 /// The bodies of a world; a row is the slot of the body's id.
 struct BodyTable {
-    explicit BodyTable(std::uint32_t world) : ids(world) {}
+    explicit BodyTable(std::uint32_t world, MemorySource memory = nullptr)
+        : ids(world, memory), rows(sourceOr(memory)), movers(memory), extras(memory)
+    {
+    }
 
     IdPool<BodyId> ids;
-    std::vector<BodyRow> rows;
+    Column<BodyRow> rows;
     SideTable<MoverRow> movers;
     SideTable<BodyExtra> extras;
     std::vector<std::uint32_t> parts;  // slots of those that take part, and of some that no longer do

@@ -41,10 +41,13 @@ struct ShapeRow {
 
 /// The shapes of a world; a row is the slot of the shape's id.
 struct ShapeTable {
-    explicit ShapeTable(std::uint32_t world) : ids(world) {}
+    explicit ShapeTable(std::uint32_t world, MemorySource memory = nullptr)
+        : ids(world, memory), rows(sourceOr(memory)), forms(memory), surfaces(memory)
+    {
+    }
 
     IdPool<ShapeId> ids;
-    std::vector<ShapeRow> rows;
+    Column<ShapeRow> rows;
     SharedTable<ShapeForm> forms;
     SharedTable<ShapeSurface> surfaces;
 
@@ -71,7 +74,7 @@ struct ShapeTable {
     class Range {
     public:
         struct Iterator {
-            const std::vector<ShapeRow>* rows;
+            const Column<ShapeRow>* rows;
             std::uint32_t slot, left;
 
             std::uint32_t operator*() const { return slot; }
@@ -83,12 +86,12 @@ struct ShapeTable {
             }
             bool operator!=(const Iterator& other) const { return left != other.left; }
         };
-        Range(const std::vector<ShapeRow>& rows, const ShapeList& list) : rows_(&rows), list_(list) {}
+        Range(const Column<ShapeRow>& rows, const ShapeList& list) : rows_(&rows), list_(list) {}
         Iterator begin() const { return {rows_, list_.first, list_.count}; }
         Iterator end() const { return {rows_, list_.first, 0}; }
 
     private:
-        const std::vector<ShapeRow>* rows_;
+        const Column<ShapeRow>* rows_;
         ShapeList list_;
     };
     Range of(const ShapeList& list) const { return {rows, list}; }

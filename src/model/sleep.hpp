@@ -37,6 +37,7 @@ struct SleepTable {
     std::vector<std::uint32_t> free;       // in no order
     std::uint32_t bodies = 0;              // asleep
     std::uint32_t touching = 0;            // contacts of theirs that touch
+    std::uint32_t contacts = 0, mostContacts = 0;   // of theirs: now, and at once, ever
 
     bool isEmpty() const { return bodies == 0; }
     std::uint32_t take()

@@ -74,11 +74,17 @@ struct GraphScratch {
     ColorScratch colors;
 };
 
+/// How many rows of the tables of steps were in use at once, ever.
+struct MostRows {
+    std::size_t contacts = 0, motions = 0, boxes = 0, pairs = 0;
+};
+
 /// All that one World owns.
 struct World::Impl {
     explicit Impl(const WorldDef& def, std::uint32_t number)
-        : id(number), settings(def), bodies(number), shapes(number), joints(number), lawIds(number),
-          parallel(def.threads, def.tasks, profile), solverScratch(def.lanes, parallel)
+        : id(number), settings(def), bodies(number, def.memory), shapes(number, def.memory), joints(number),
+          lawIds(number), resting(def.memory), parallel(def.threads, def.tasks, profile),
+          solverScratch(def.lanes, parallel)
     {
     }
 
@@ -106,6 +112,7 @@ struct World::Impl {
     bool partsAreSorted = true;
     std::vector<std::uint32_t> leavers;         // bodies that took part in the last step and do no more
     Census census;
+    MostRows most;
 
     // Of the last step.
     StepReport report;
@@ -226,6 +233,10 @@ struct World::Impl {
     void gatherPartners();
     void findRestPairs(const ContactWorld& world);
     std::uint32_t gather(const ForceField& forces, const StepContext& context);
+
+    // world/memory.cpp
+    void noteMost();
+    MemoryReport memory() const;
 
     // world/validate.cpp
     void validate(Faults& faults) const;

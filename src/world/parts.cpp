@@ -90,6 +90,7 @@ void World::Impl::settle()
     if (!staleMasses.empty()) {
         for (const std::uint32_t slot : staleMasses) settleMass(slot);
         staleMasses.clear();
+        if (staleMasses.capacity() > 4096) staleMasses.shrink_to_fit();
     }
     while (!toPlace.empty()) {
         std::vector<std::uint32_t> rousing;

@@ -98,6 +98,7 @@ void World::Impl::wakeGroup(std::uint32_t number, bool withContacts)
     }
     asleep.bodies -= static_cast<std::uint32_t>(group.bodies.size());
     for (const Contact& c : group.contacts) asleep.touching -= c.touching ? 1 : 0;
+    asleep.contacts -= static_cast<std::uint32_t>(group.contacts.size());
     if (withContacts && !group.contacts.empty()) {
         contactsAreSorted = false;
         contacts.rows.insert(contacts.rows.end(), group.contacts.begin(), group.contacts.end());
@@ -287,6 +288,7 @@ void World::Impl::storeContacts()
             ++kept;
         } else if (c.count > 0 || c.touching) {
             asleep.groups[group].contacts.push_back(c);
+            asleep.mostContacts = maximum(asleep.mostContacts, ++asleep.contacts);
             asleep.touching += c.touching ? 1 : 0;
         }
     }

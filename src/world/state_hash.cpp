@@ -246,6 +246,7 @@ void add(Hasher& hash, const JointRow& j)
 
 }  // namespace
 
+// Out of memory there is nothing to go on with. NOLINTNEXTLINE(bugprone-exception-escape)
 std::uint64_t World::stateHash() const noexcept
 {
     impl_->settle();

@@ -278,6 +278,7 @@ StepReport World::Impl::step(double dt, int substeps)
     span.next("sleep");
     r.touching += asleep.touching;
     for (const Motion& m : motions.rows) refreshPart(m.body);
+    noteMost();
     fallAsleep(context);
 
     // Report.

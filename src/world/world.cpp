@@ -212,6 +212,7 @@ std::vector<std::pair<BodyId, ForceLaw>> World::forceLaws() const
 
 // --- time
 
+// Out of memory there is nothing to go on with. NOLINTNEXTLINE(bugprone-exception-escape)
 StepReport World::step(double dt, int substeps) noexcept
 {
     if (!(dt >= 1e-12 && dt <= 1) || substeps < 1 || substeps > 256) {

@@ -161,6 +161,31 @@ TEST(Allocations, NoneIsMadeInAStepOfAWarmGas)
     EXPECT_GT(hits, 1000u);
 }
 
+// A pile that falls asleep as one group, is woken by a kick, and falls asleep again, twelve times over.
+TEST(Allocations, NoneIsMadeWhereBodiesFallAsleepAndWakeOnceTheyHaveDoneSo)
+{
+    TRACES("NFR1", "ADR25");
+    World world;
+    addGround(world);
+    std::vector<Body> bodies;
+    for (int row = 0; row < 4; ++row)
+        for (int i = 0; i < 8 - row; ++i)
+            bodies.push_back(addBox(world, {1.05 * i + 0.5 * row - 4, 0.501 + 1.001 * row}, 1, 1));
+    std::uint32_t asleep = 0, fell = 0;
+    const auto kick = [&](int step) {
+        if (world.lastReport().asleep > asleep) ++fell;
+        asleep = world.lastReport().asleep;
+        if (step % 80 == 79) bodies[3].applyAngularImpulse(toReal(0.02));
+    };
+    for (int i = 0; i < 400; ++i) {
+        kick(i);
+        world.step();
+    }
+    fell = 0;
+    expectNone(world, kick);
+    EXPECT_GE(fell, 10u);
+}
+
 // Forces of all kinds, several shapes a body, setters in each step, and islands that stand on nothing.
 TEST(Allocations, NoneIsMadeInAStepOfAWarmWorldThatIsPushedAround)
 {

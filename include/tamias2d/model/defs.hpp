@@ -11,6 +11,7 @@
 #include <tamias2d/tasks/task_system.hpp>
 
 #include <cstdint>
+#include <memory_resource>
 #include <optional>
 #include <string>
 
@@ -38,6 +39,9 @@ struct WorldDef {
     /// the system gives. No result depends on it.   1 to kMaxThreads; 1 in builds without threads
     int threads = 1;
     TaskSystem* tasks = nullptr;  ///< a host's own threads instead; it outlives the World
+    /// What the tables of bodies and shapes take their memory from; new and delete if null. It outlives the
+    /// World. No result depends on it.
+    std::pmr::memory_resource* memory = nullptr;
 };
 
 /// Nature's constant of gravitation, as the SRS states it [T3].

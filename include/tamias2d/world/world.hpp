@@ -11,6 +11,7 @@
 #include <tamias2d/queries/queries.hpp>
 #include <tamias2d/tasks/task_system.hpp>
 #include <tamias2d/world/joint.hpp>
+#include <tamias2d/world/memory.hpp>
 #include <tamias2d/world/report.hpp>
 
 #include <memory>
@@ -226,6 +227,9 @@ public:
     void setProfiling(bool on);
     /// Of the last step, each thread's in order of their begins; empty while profiling is off.
     std::span<const ProfileSpan> profile() const noexcept;
+
+    /// How much memory the tables hold, and how full they have been: docs/guide/memory.md.
+    MemoryReport memory() const noexcept;
 
     // --- results
     StepEvents events() const noexcept;  ///< of the last step
