@@ -7,6 +7,7 @@ namespace tamias2d::inline TAMIAS_PRECISION {
 
 void RestTrees::add(std::uint32_t shape, const Aabb& box)
 {
+    ++changes_;
     if (shape >= places_.size()) places_.resize(std::max<std::size_t>(shape + 1, 2 * places_.size()), kNone);
     places_[shape] = static_cast<std::uint32_t>(added_.size()) | kAdded;
     added_.push_back({FloatBox::of(box), shape, 0});
@@ -16,6 +17,7 @@ void RestTrees::add(std::uint32_t shape, const Aabb& box)
 void RestTrees::remove(std::uint32_t shape)
 {
     if (!holds(shape)) return;
+    ++changes_;
     const std::uint32_t place = places_[shape];
     places_[shape] = kNone;
     --count_;

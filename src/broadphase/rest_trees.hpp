@@ -29,6 +29,8 @@ public:
     bool holds(std::uint32_t shape) const { return shape < places_.size() && places_[shape] != kNone; }
     std::size_t size() const { return count_; }
     std::size_t places() const { return places_.size(); }  ///< shapes that there is a place for
+    /// A number that changes whenever a shape is added or removed.
+    std::uint64_t changes() const { return changes_; }
     /// Builds a tree of what was added.
     void settle();
 
@@ -94,6 +96,7 @@ private:
     Column<Leaf> added_;  // not in a tree yet
     Column<std::uint32_t> places_;  // by shape: node, or index into added_ with kAdded, or kNone
     std::size_t count_ = 0;
+    std::uint64_t changes_ = 0;
 
     template <class Meets, class Visit>
     void each(Meets meets, Visit visit) const

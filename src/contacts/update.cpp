@@ -65,6 +65,8 @@ void ExpectedPaths::begin(std::size_t rows, real end, real invH)
 const Trajectory& ExpectedPaths::reckon(std::size_t row, const Motion& m, bool turns)
 {
     Row& known = rows_[row];
+    known.number = number_;
+    known.turns = turns;
     known.path = predictedPath(m, m.center, invH_);
     if (turns) known.path.lookAhead(end_);
     known.span = SpanOfWay(known.path, end_);
@@ -238,9 +240,6 @@ void adoptManifold(Contact& contact, const SweptResult& result, real matchDistan
     if (!found[0] && !found[1]) contact.rollingImpulse = 0;
 }
 
-namespace {
-
-// Could the two come near each other within the step if something deflected them?
 bool withinReach(const SweptPair& pair, real gap, real dt)
 {
     const Trajectory &a = pair.pathA, &b = pair.pathB;
@@ -250,8 +249,6 @@ bool withinReach(const SweptPair& pair, real gap, real dt)
     return gap <= reach + 3 * pair.restGap;
 }
 
-}  // namespace
-
 bool mayMeet(const SweptPair& pair, real from, real to, const StepContext& context)
 {
     constexpr real kSlow = 10;  // rest gaps a tick: faster ones are impacts, in crowds as well
@@ -259,29 +256,6 @@ bool mayMeet(const SweptPair& pair, real from, real to, const StepContext& conte
     if (result.near && result.manifold.count > 0) return true;
     return result.startGap <= kSlow * pair.restGap * static_cast<real>(context.ticks) &&
            withinReach(pair, result.startGap, to - from);
-}
-
-void updateForStep(std::span<Contact> contacts, const ShapeTable& shapes, const MotionTable& motions,
-                   const StepContext& context, const ExpectedPaths& paths, ManifoldCounts& counts)
-{
-    Contact* pointers[kPairBatch];
-    SweptResult results[kPairBatch];
-    for (std::size_t i = 0; i < contacts.size(); ++i) pointers[i] = &contacts[i];
-    paths.collide({pointers, contacts.size()}, shapes, motions, results);
-
-    const real dt = static_cast<real>(context.dt);
-    for (std::size_t i = 0; i < contacts.size(); ++i) {
-        Contact& contact = contacts[i];
-        const SweptResult& result = results[i];
-        const Convex &a = shapes.convex(contact.shapeA), &b = shapes.convex(contact.shapeB);
-        counts.exhausted += result.exhausted ? 1 : 0;
-        adoptManifold(contact, result, real(0.3) * maximum(a.size, b.size));
-        contact.swept =
-            contact.atImpact || result.bends ||
-            (contact.count == 0 && withinReach(paths.pairOf(contact, shapes, motions), result.startGap, dt));
-        contact.clearance = result.startGap;
-        counts.swept += contact.swept ? 1 : 0;
-    }
 }
 
 }  // namespace tamias2d::inline TAMIAS_PRECISION

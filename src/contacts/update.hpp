@@ -54,6 +54,8 @@ public:
     const Trajectory& reckon(std::size_t row, const Motion& m, bool turns);
     /// Tells that the pair of a contact will be asked for.
     void want(const Contact& contact, const ShapeTable& shapes);
+    /// Has it one already?
+    bool isReckoned(std::size_t row) const { return rows_[row].number == number_; }
     /// Reckons the ways of all that are wanted and have none yet.
     void reckonWanted(const MotionTable& motions, Parallel& parallel);
     std::size_t bytes() const
@@ -90,19 +92,11 @@ private:
 /// or, failing that, by the nearest anchor.
 void adoptManifold(Contact& contact, const SweptResult& result, real matchDistance);
 
+/// Could the two, `gap` apart [m], come near each other within `dt` if something deflected them?
+bool withinReach(const SweptPair& pair, real gap, real dt);
+
 /// Does the pair meet between the two times? Also if it is so near that the passes of a crowd could bring
 /// it together unforeseen; what impacts deflect is looked at again by them.
 bool mayMeet(const SweptPair& pair, real from, real to, const StepContext& context);
-
-/// What the manifolds of some contacts came to.
-struct ManifoldCounts {
-    std::uint32_t swept = 0;  ///< pairs that are looked at again in every tick
-    std::uint32_t exhausted = 0;  ///< searches for a time of impact that ran out of iterations
-};
-
-/// The manifolds of up to kPairBatch contacts for the whole step, from 0 to dt, which `paths` must be for.
-/// Pairs that may still meet in another way are flagged `swept`: they are looked at again in every tick.
-void updateForStep(std::span<Contact> contacts, const ShapeTable& shapes, const MotionTable& motions,
-                   const StepContext& context, const ExpectedPaths& paths, ManifoldCounts& counts);
 
 }  // namespace tamias2d::inline TAMIAS_PRECISION

@@ -51,6 +51,7 @@ struct Contact {
     bool swept = false;          // looked at again in every tick
     real clearance = 0;          // of a swept pair: it is at least that far apart now   [m]
     bool atImpact = false;       // the manifold is that of a moment of impact
+    std::uint32_t versionA = 0, versionB = 0;   // of the poses of its bodies that the manifold is for
     bool touching = false;       // at the end of the last step
     bool crowded = false;        // between bodies of at least Tuning::crowd that meet
     int impacts = 0;             // in this tick

@@ -77,6 +77,8 @@ struct MotionTable {
     std::vector<Motion> rows;
     std::vector<std::uint32_t> rowOf;  // by body slot; kNone for those that are not here
     std::uint32_t parts = 0;           // how many of the rows took part from the start
+    std::vector<std::uint32_t> versions;   // by row: of the pose that manifolds of it are kept for,
+    std::vector<Position> origins;         // and where the center was then
 
     std::uint32_t rowFor(std::uint32_t body) const { return body < rowOf.size() ? rowOf[body] : kNone; }
 };

@@ -18,6 +18,9 @@ public:
 
     void build(const ContactTable& contacts, const MotionTable& motions, const Islands& islands,
                const StepContext& context) override;
+    bool fits(const std::vector<Contact>& contacts, const std::vector<std::uint8_t>& renewed,
+              const StepContext& context) const override;
+    void carryOn(const Islands& islands) override;
     bool hasLane(std::uint32_t contact) const override
     {
         return contact < laneOf_.size() && laneOf_[contact] != kNone;
@@ -25,7 +28,8 @@ public:
     void load(std::uint32_t contact, const Contact& row, const MotionTable& motions,
               const TickRows& rows) override;
     void unload(std::uint32_t contact, Contact& row) override;
-    void unloadAll(std::vector<Contact>& rows) override;
+    void drop(std::uint32_t contact) override;
+    void storeAll(std::vector<Contact>& rows) const override;
 
     void loadMarked(const std::vector<std::uint8_t>& marks, std::uint8_t mark,
                     const std::vector<Contact>& contacts, const MotionTable& motions,
@@ -66,6 +70,7 @@ private:
     using Block = ContactBlock<W>;
     using Source = ContactSource<W>;
     static constexpr std::uint32_t kNone = 0xffffffffu;
+    static constexpr std::uint8_t kNoLane = 3;   // a kind
     static constexpr std::size_t kGrain = 256 / W;   // blocks that are worth a thread's while
 
     Parallel& parallel_;
@@ -98,7 +103,9 @@ private:
             body(start + chunk.begin, chunk.end - chunk.begin, chunk.index);
         });
     }
+    static std::uint8_t kindOf(const Contact& c);
     void sortByKind(const ContactTable& contacts);
+    void store(std::size_t slot, Contact& row) const;
     void leaveEmpty(std::size_t slot);
     std::size_t closeUp(std::uint32_t* list, std::size_t first, std::size_t end) const;
     void place(std::uint32_t contact, const Contact& row, std::size_t slot, const MotionTable& motions,
@@ -129,19 +136,53 @@ void ContactLanesOf<W>::build(const ContactTable& contacts, const MotionTable& m
     });
 }
 
+template <int W>
+std::uint8_t ContactLanesOf<W>::kindOf(const Contact& c)
+{
+    const bool hasLane = !(c.rolling > 0) && (c.count > 0 || c.swept);
+    return hasLane ? static_cast<std::uint8_t>(2 - c.count) : kNoLane;
+}
+
+template <int W>
+bool ContactLanesOf<W>::fits(const std::vector<Contact>& contacts, const std::vector<std::uint8_t>& renewed,
+                             const StepContext& context) const
+{
+    const bool isSame = context.h == context_.h && context.tuning == context_.tuning &&
+                        context.lengthUnit == context_.lengthUnit && kinds_.size() == contacts.size();
+    for (std::size_t i = 0; isSame && i < contacts.size(); ++i)
+        if (renewed[i] != 0 && kindOf(contacts[i]) != kinds_[i]) return false;
+    return isSame;
+}
+
+template <int W>
+void ContactLanesOf<W>::carryOn(const Islands& islands)
+{
+    solved_ = false;
+    parallel_.forEach(blocks_.size(), kGrain, [&](const Chunk& chunk) {
+        for (std::size_t k = chunk.begin; k < chunk.end; ++k) {
+            Block& b = blocks_[k];
+            Source& s = sources_[k];
+            s.counted = maskOf<W>(0);
+            s.stepImpulse = {};
+            s.stepNormal[0] = s.stepNormal[1] = s.stepTangent[0] = s.stepTangent[1] = {};
+            b.oneIsland = true;
+            for (int lane = 0; lane < W; ++lane) {
+                if (slots_[k * W + static_cast<std::size_t>(lane)] == kNone) continue;
+                b.island[lane] = islandOf(islands, b.rowA[lane], b.rowB[lane]);
+                b.oneIsland = b.oneIsland && b.island[lane] == b.island[0];
+            }
+        }
+    });
+}
+
 // Who gets which lane. Two points first, so that blocks of one point need not look for a second.
 template <int W>
 void ContactLanesOf<W>::sortByKind(const ContactTable& contacts)
 {
-    constexpr std::uint8_t kNoLane = 3;
     constexpr std::size_t kContacts = 512;
     kinds_.resize(contacts.rows.size());
     parallel_.forEach(contacts.rows.size(), kContacts, [&](const Chunk& chunk) {
-        for (std::size_t i = chunk.begin; i < chunk.end; ++i) {
-            const Contact& c = contacts.rows[i];
-            const bool hasLane = !(c.rolling > 0) && (c.count > 0 || c.swept);
-            kinds_[i] = hasLane ? static_cast<std::uint8_t>(2 - c.count) : kNoLane;
-        }
+        for (std::size_t i = chunk.begin; i < chunk.end; ++i) kinds_[i] = kindOf(contacts.rows[i]);
     });
 
     slots_.clear();
@@ -280,13 +321,11 @@ void ContactLanesOf<W>::load(std::uint32_t contact, const Contact& c, const Moti
 }
 
 template <int W>
-void ContactLanesOf<W>::unload(std::uint32_t contact, Contact& c)
+void ContactLanesOf<W>::store(std::size_t slot, Contact& c) const
 {
-    const std::uint32_t slot = laneOf_[contact];
     const auto lane = static_cast<int>(slot % W);
-    Block& b = blocks_[slot / W];
-    Source& s = sources_[slot / W];
-    b.active &= ~(1u << lane);
+    const Block& b = blocks_[slot / W];
+    const Source& s = sources_[slot / W];
     c.normal = laneOf(b.row.normal, lane);
     c.stepImpulse = laneOf(s.stepImpulse, lane);
     const bool add = solved_ && s.counted.v[lane] != 0;
@@ -297,12 +336,30 @@ void ContactLanesOf<W>::unload(std::uint32_t contact, Contact& c)
         p.stepNormal = s.stepNormal[k].v[lane] + (add ? p.normalImpulse : real(0));
         p.stepTangent = s.stepTangent[k].v[lane] + (add ? p.tangentImpulse : real(0));
         if (add) c.stepImpulse += p.normalImpulse * c.normal + p.tangentImpulse * perpendicular(c.normal);
-        // What moves nothing any more.
+    }
+}
+
+// It moves nothing any more.
+template <int W>
+void ContactLanesOf<W>::drop(std::uint32_t contact)
+{
+    const std::uint32_t slot = laneOf_[contact];
+    const auto lane = static_cast<int>(slot % W);
+    Block& b = blocks_[slot / W];
+    b.active &= ~(1u << lane);
+    for (int k = 0; k < 2; ++k) {
         b.row.points[k].normalInverse.v[lane] = b.row.points[k].tangentInverse.v[lane] = 0;
         b.row.points[k].normalImpulse.v[lane] = b.row.points[k].tangentImpulse.v[lane] = 0;
-        s.present[k].v[lane] = 0;
+        sources_[slot / W].present[k].v[lane] = 0;
     }
     b.row.blockInverse.v[lane] = 0;
+}
+
+template <int W>
+void ContactLanesOf<W>::unload(std::uint32_t contact, Contact& c)
+{
+    store(laneOf_[contact], c);
+    drop(contact);
 }
 
 // Block by block: two threads must not write lanes of one block.
@@ -320,13 +377,12 @@ void ContactLanesOf<W>::loadMarked(const std::vector<std::uint8_t>& marks, std::
 }
 
 template <int W>
-void ContactLanesOf<W>::unloadAll(std::vector<Contact>& rows)
+void ContactLanesOf<W>::storeAll(std::vector<Contact>& rows) const
 {
     parallel_.forEach(blocks_.size(), kGrain, [&](const Chunk& chunk) {
         for (std::size_t k = chunk.begin; k < chunk.end; ++k)
             for (std::size_t lane = 0; lane < W; ++lane)
-                if ((blocks_[k].active >> lane & 1u) != 0)
-                    unload(slots_[k * W + lane], rows[slots_[k * W + lane]]);
+                if ((blocks_[k].active >> lane & 1u) != 0) store(k * W + lane, rows[slots_[k * W + lane]]);
     });
 }
 

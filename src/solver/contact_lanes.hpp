@@ -29,6 +29,12 @@ public:
     /// Gives each contact that may be plain in this step a lane.
     virtual void build(const ContactTable& contacts, const MotionTable& motions, const Islands& islands,
                        const StepContext& context) = 0;
+    /// Is each contact still of the kind that it was when the lanes were built? Only those that are `renewed`
+    /// may have changed. Then what is in a lane may stay there for another step.
+    virtual bool fits(const std::vector<Contact>& contacts, const std::vector<std::uint8_t>& renewed,
+                      const StepContext& context) const = 0;
+    /// Starts another step with what is in the lanes: sums begin at nothing, islands may be others.
+    virtual void carryOn(const Islands& islands) = 0;
     virtual bool hasLane(std::uint32_t contact) const = 0;
     /// Takes the contact into its lane.
     virtual void load(std::uint32_t contact, const Contact& row, const MotionTable& motions,
@@ -39,7 +45,10 @@ public:
                             const TickRows& rows) = 0;
     /// Gives impulses and sums back, and takes the contact out of its lane.
     virtual void unload(std::uint32_t contact, Contact& row) = 0;
-    virtual void unloadAll(std::vector<Contact>& rows) = 0;
+    /// Takes the contact out of its lane; what the table has of it is newer.
+    virtual void drop(std::uint32_t contact) = 0;
+    /// Gives impulses and sums of all back, which stay in their lanes.
+    virtual void storeAll(std::vector<Contact>& rows) const = 0;
 
     /// Arms, gaps and masses at the poses of `rows`; adds the velocity changes of what the contacts carry to
     /// rows.steady. Elastic contacts that carry nothing are no longer plain: they are listed.

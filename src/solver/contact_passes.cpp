@@ -29,17 +29,31 @@ void startLoose(Contact& c, const MotionTable& motions, TickRows& rows)
 }
 
 void ContactPasses::begin(ContactTable& contacts, const MotionTable& motions, const Islands& islands,
-                          const StepContext& context)
+                          const StepContext& context, bool same, const std::vector<std::uint8_t>& renewed)
 {
+    const std::size_t count = contacts.rows.size();
     islands_ = &islands;
-    colorEnds_ = contacts.colorEnds;
-    placeOf_.resize(contacts.rows.size());
-    for (std::uint32_t k = 0; k < contacts.order.size(); ++k) placeOf_[contacts.order[k]] = k;
     loose_.clear();
-    isLoose_.resize(contacts.rows.size());
-    inLane_.assign(contacts.rows.size(), 0);
-    parallel_.forEach(contacts.rows.size(), kContactGrain, [&](const Chunk& chunk) {
+    isLoose_.resize(count);
+    inLane_.resize(count);
+    if (same && lanes_->fits(contacts.rows, renewed, context)) {
+        for (std::uint32_t i = 0; i < count; ++i) {
+            if (renewed[i] == 0 || inLane_[i] == 0) continue;
+            lanes_->drop(i);
+            inLane_[i] = 0;
+        }
+        lanes_->carryOn(islands);
+    } else {
+        std::fill(inLane_.begin(), inLane_.end(), std::uint8_t{0});
+        colorEnds_ = contacts.colorEnds;
+        placeOf_.resize(count);
+        for (std::uint32_t k = 0; k < contacts.order.size(); ++k) placeOf_[contacts.order[k]] = k;
+        lanes_->build(contacts, motions, islands, context);
+    }
+    parallel_.forEach(count, kContactGrain, [&](const Chunk& chunk) {
         for (std::size_t i = chunk.begin; i < chunk.end; ++i) {
+            isLoose_[i] = 0;
+            if (inLane_[i] != 0) continue;
             Contact& c = contacts.rows[i];
             c.impacts = 0;
             c.stepImpulse = {};
@@ -47,14 +61,13 @@ void ContactPasses::begin(ContactTable& contacts, const MotionTable& motions, co
             isLoose_[i] = c.count > 0 ? 1 : 0;
         }
     });
-    for (std::uint32_t i = 0; i < contacts.rows.size(); ++i)
+    for (std::uint32_t i = 0; i < count; ++i)
         if (isLoose_[i] != 0) loose_.push_back(i);
-    lanes_->build(contacts, motions, islands, context);
 }
 
 void ContactPasses::end(ContactTable& contacts)
 {
-    lanes_->unloadAll(contacts.rows);
+    lanes_->storeAll(contacts.rows);
 }
 
 void ContactPasses::addLoose(std::uint32_t contact)

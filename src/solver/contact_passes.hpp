@@ -20,10 +20,12 @@ public:
     {
     }
 
-    /// Takes over the contacts of a step, colored and with manifolds; forgets the sums of the step before.
+    /// Takes over the contacts of a step, colored and with manifolds; forgets the sums of the step before. If
+    /// they are `same`, one by one, as at the end of the last step, those in lanes stay there, but for those
+    /// that are `renewed`.
     void begin(ContactTable& contacts, const MotionTable& motions, const Islands& islands,
-               const StepContext& context);
-    /// Gives all back.
+               const StepContext& context, bool same, const std::vector<std::uint8_t>& renewed);
+    /// Tells the table what all have done.
     void end(ContactTable& contacts);
 
     /// Tells that the manifold of a contact is about to change: what is known of it is in the table then.

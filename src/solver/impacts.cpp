@@ -405,6 +405,7 @@ void startSweeps(ImpactStage& stage, const StepContext& context)
     std::vector<PredictedWay>& predicted = stage.rows.predicted;
     predicted.clear();
     for (const Motion& m : stage.motions.rows) {
+        const LaneRow& pose = stage.rows.poses[predicted.size()];
         const Trajectory path = predictedPath(m, m.center, context.invH);
         real least = std::numeric_limits<real>::max();
         if (m.moves()) {  // what holds still leaves no box
@@ -417,7 +418,7 @@ void startSweeps(ImpactStage& stage, const StepContext& context)
                              path.acceleration,
                              path.spinRate,
                              0,
-                             {},
+                             {pose.x, pose.y},
                              m.moves() ? least : real(0)});
     }
     scratch.tree.clear();  // the boxes are new

@@ -152,10 +152,11 @@ SolverCounts solve(SolverStage& stage, const StepContext& context)
     for (std::size_t i = 0; i < rows.size(); ++i) {
         Motion& m = rows[i];
         startDamping(m, context.h);
-        lanes.origins[i] = {m.center};
-        lanes.poses[i] = poseRow(m, m.center);
+        lanes.origins[i] = {stage.motions.origins[i]};
+        lanes.poses[i] = poseRow(m, stage.motions.origins[i]);
     }
-    scratch.passes.begin(stage.contacts, stage.motions, stage.islands, context);
+    scratch.passes.begin(stage.contacts, stage.motions, stage.islands, context,
+                         stage.sameContacts && stage.system.empty(), stage.renewed);
     startSweeps(impacts, context);
     findCalmRows(stage.islands, scratch.calmRows);
     lanes.velocities.resize(rows.size());

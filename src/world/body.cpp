@@ -107,6 +107,7 @@ void Body::setType(BodyType type)
     }
     w->impl_->tally(b, true);
     w->impl_->refreshPart(id_.index);
+    w->impl_->pairsAreCurrent = false;
 }
 
 const std::string& Body::name() const
@@ -529,7 +530,10 @@ void Body::setOwnGravity(std::optional<Vec2> gravity)
 void Body::setLocks(bool x, bool y, bool rotation)
 {
     TAMIAS_BODY_ROW(b);
-    if (w && (x != b.lockX || y != b.lockY || rotation != b.lockRotation)) w->impl_->disturb(id_.index);
+    if (w && (x != b.lockX || y != b.lockY || rotation != b.lockRotation)) {
+        w->impl_->disturb(id_.index);
+        w->impl_->pairsAreCurrent = false;
+    }
     b.lockX = x;
     b.lockY = y;
     b.lockRotation = rotation;

@@ -78,6 +78,8 @@ ShapeId World::Impl::createShape(BodyId body, const ShapeDef& def)
     shapes.rows[shape.index].body = body.index;
     shapes.rows[shape.index].userData = def.userData;
     shapes.setForm(shape.index, def.geometry, def.offset, def.angle, b.localCenter);
+    references.forget(body.index);
+    pairsAreCurrent = false;
     shapes.setSurface(shape.index, {def.density, def.material, def.filter});
     shapes.link(b.shapes, shape.index);
     if (b.enabled) ++census.shapes;
@@ -136,6 +138,7 @@ void World::Impl::endContacts(std::uint32_t slot)
         return true;
     });
     contacts.order.clear();  // made anew in the next step
+    pairsAreCurrent = false;
 }
 
 // The center of mass of the body has moved.
@@ -144,6 +147,8 @@ void World::Impl::rebuildConvex(std::uint32_t slot)
     const ShapeForm& form = shapes.form(slot);
     shapes.setForm(slot, form.geometry, form.offset, form.angle,
                    bodies.rows[shapes.rows[slot].body].localCenter);
+    references.forget(shapes.rows[slot].body);
+    pairsAreCurrent = false;
 }
 
 // Mass, center and inertia from the shapes [DD1, DD14], as they would be with `def` in the place of the shape
@@ -206,6 +211,7 @@ void World::Impl::updateMass(std::uint32_t slot)
 void World::Impl::moveCenter(std::uint32_t slot, Position origin, Vec2 before, Vec2 center)
 {
     BodyRow& b = bodies.rows[slot];
+    pairsAreCurrent = false;
     b.localCenter = center;
     b.center = origin + toDVec2(rotate(b.rotation, center));
     b.velocity += cross(b.spin, rotate(b.rotation, center - before));

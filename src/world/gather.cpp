@@ -60,44 +60,6 @@ void predictSteady(const ContactTable& contacts, const BodyTable& bodies, const 
     for (Motion& m : motions.rows) limitSteady(m, context);
 }
 
-// The ways of bodies, and the boxes that hold their shapes all along them.
-void sweepBoxes(const BodyTable& bodies, const ShapeTable& shapes, const MotionTable& motions,
-                const StepContext& context, ExpectedPaths& paths, std::vector<std::uint32_t>& firstOf,
-                std::vector<SweepBox>& boxes, Parallel& parallel)
-{
-    constexpr std::size_t kGrain = 64;
-    const real dt = static_cast<real>(context.dt);
-    const auto shapesOf = [&](std::size_t row) -> const auto& {
-        return bodies.rows[motions.rows[row].body].shapes;
-    };
-
-    // By chunk: how many boxes, then where they begin.
-    firstOf.assign(Parallel::chunksOf(motions.parts, kGrain), 0);
-    parallel.forEach(motions.parts, kGrain, [&](const Chunk& chunk) {
-        std::size_t count = 0;
-        for (std::size_t row = chunk.begin; row < chunk.end; ++row) count += shapesOf(row).size();
-        firstOf[chunk.index] = static_cast<std::uint32_t>(count);
-    });
-    std::uint32_t start = 0;
-    for (std::uint32_t& count : firstOf) count = (start += count) - count;
-
-    boxes.resize(start);
-    paths.begin(motions.rows.size(), dt, context.invH);
-    parallel.forEach(motions.parts, kGrain, [&](const Chunk& chunk) {
-        SweepBox* next = boxes.data() + firstOf[chunk.index];
-        for (std::size_t row = chunk.begin; row < chunk.end; ++row) {
-            const Motion& m = motions.rows[row];
-            const Trajectory& path = paths.reckon(row, m, true);
-            const bool moves = m.moves() || m.velocity != Vec2{} || m.spin != 0;
-            for (const std::uint32_t slot : shapes.of(shapesOf(row))) {
-                const Convex& convex = shapes.convex(slot);
-                const real margin = 3 * context.tuning.restGap * convex.size;
-                *next++ = {sweptBounds(convex, path, m.center, 0, dt, margin), slot, m.body, moves};
-            }
-        }
-    });
-}
-
 // Does a moving shape meet one that sleeps?
 bool meets(const ContactWorld& world, const ShapePair& pair, const StepContext& context)
 {
@@ -163,6 +125,18 @@ void World::Impl::findRestPairs(const ContactWorld& world)
     });
 }
 
+// Rows are numbers in contacts: other rows are other contacts.
+void World::Impl::noteRows()
+{
+    const auto isOf = [](std::uint32_t body, const Motion& m) { return body == m.body; };
+    if (std::equal(rowBodies.begin(), rowBodies.end(), motions.rows.begin(), motions.rows.end(), isOf))
+        return;
+    pairsAreCurrent = false;
+    rowBodies.clear();
+    rowBodies.reserve(2 * motions.rows.size());
+    for (const Motion& m : motions.rows) rowBodies.push_back(m.body);
+}
+
 std::uint32_t World::Impl::gather(const ForceField& forces, const StepContext& context)
 {
     listUncoupled();
@@ -183,16 +157,22 @@ std::uint32_t World::Impl::gather(const ForceField& forces, const StepContext& c
         gatherJoints(joints, bodies, motions, jointSystem);
         predictSteady(contacts, bodies, shapes, joints, jointSystem, motions, context);
         faults = accelerate(motions, bodies, forces, time);
-        sweepBoxes(bodies, shapes, motions, context, paths, chunkStarts, boxes, parallel);
+        if (sweepBodies(context) || resting.changes() != restingChanges) pairsAreCurrent = false;
+        if (pairsAreCurrent && !sleepersAreNear) break;
 
         // What holds still on their way. Those that sleep there and are met wake, and all is gathered again.
+        restingChanges = resting.changes();
         findRestPairs(world);
         restPairs.clear();
+        sleepersAreNear = false;
         met.clear();
         foundResting.forAll([&](const RestPair& found) {
             if (found.group == BodyRow::kNoGroup) {
                 restPairs.push_back(found.pair);
-            } else if (!asleep.groups[found.group].isMet && meets(world, found.pair, context)) {
+                return;
+            }
+            sleepersAreNear = true;
+            if (!asleep.groups[found.group].isMet && meets(world, found.pair, context)) {
                 asleep.groups[found.group].isMet = true;
                 met.push_back(found.group);
             }
@@ -203,6 +183,7 @@ std::uint32_t World::Impl::gather(const ForceField& forces, const StepContext& c
 
     // Those that hold still get their rows behind all others.
     std::vector<std::uint32_t>& still = met;
+    still.clear();
     for (const ShapePair& pair : restPairs)
         for (const std::uint32_t shape : {pair.a, pair.b})
             if (motions.rowOf[shapes.rows[shape].body] == MotionTable::kNone)
@@ -211,8 +192,10 @@ std::uint32_t World::Impl::gather(const ForceField& forces, const StepContext& c
     for (const std::uint32_t slot : still) addRow(motions, bodies, slot);
     jointSystem.groupOf.resize(motions.rows.size(), JointSystem::kNone);
     paths.grow(motions.rows.size());
-    for (std::size_t row = motions.parts; row < motions.rows.size(); ++row)
-        paths.reckon(row, motions.rows[row], true);
+    motions.versions.resize(motions.rows.size());
+    motions.origins.resize(motions.rows.size());
+    for (std::size_t row = motions.parts; row < motions.rows.size(); ++row) sweepStill(row, context);
+    noteRows();
     return faults;
 }
 

@@ -5,7 +5,7 @@
 #include "base/timer.hpp"
 #include "broadphase/rest_trees.hpp"
 #include "broadphase/sweep.hpp"
-#include "contacts/update.hpp"
+#include "contacts/step_manifolds.hpp"
 #include "diagnostics/faults.hpp"
 #include "forces/accelerations.hpp"
 #include "graph/coloring.hpp"
@@ -15,6 +15,7 @@
 #include "model/contacts.hpp"
 #include "model/joints.hpp"
 #include "model/motion.hpp"
+#include "model/reference_poses.hpp"
 #include "model/shapes.hpp"
 #include "model/sleep.hpp"
 #include "solver/finalize.hpp"
@@ -134,11 +135,19 @@ struct World::Impl {
     std::vector<std::uint32_t> roused;          // groups
     SleepScratch sleepScratch;
     std::vector<ShapePair> pairs;
+    ReferencePoses references;                  // of bodies that hardly move
+
+    // Are the contacts those of `pairs`, and would these be found again? Whoever changes anything but how
+    // bodies move says no.
+    bool pairsAreCurrent = false;
+    bool sleepersAreNear = false;  // in the boxes of what moves
+    std::uint64_t restingChanges = 0;  // when pairs were last looked for
+    std::vector<std::uint32_t> rowBodies;  // by row
     SweepScratch sweepScratch;
-    ExpectedPaths paths;                        // of bodies within the step
-    std::vector<ManifoldCounts> manifoldCounts; // by chunk of contacts
-    std::vector<FinalCounts> finalCounts;       // by chunk
-    std::vector<std::uint8_t> touchChanges;     // by contact
+    ExpectedPaths paths;  // of bodies within the step
+    ManifoldScratch manifoldScratch;
+    std::vector<FinalCounts> finalCounts;  // by chunk
+    std::vector<std::uint8_t> touchChanges;  // by contact
     MatchScratch matchScratch;
     GraphScratch graph;
     std::vector<ImpactRecord> impacts;
@@ -229,7 +238,14 @@ struct World::Impl {
     void disturbJoint(std::uint32_t jointSlot);
     void listUncoupled();
 
+    // world/boxes.cpp
+    real widthOf(std::uint32_t body) const;
+    bool sweepBody(std::size_t row, const StepContext& context, SweepBox* next);
+    void sweepStill(std::size_t row, const StepContext& context);
+    bool sweepBodies(const StepContext& context);
+
     // world/gather.cpp: the bodies of a step, and who may meet.
+    void noteRows();
     void gatherPartners();
     void findRestPairs(const ContactWorld& world);
     std::uint32_t gather(const ForceField& forces, const StepContext& context);

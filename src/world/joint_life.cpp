@@ -37,6 +37,7 @@ void World::Impl::listUncoupled()
 {
     if (!uncoupledIsStale) return;
     uncoupledIsStale = false;
+    pairsAreCurrent = false;
     uncoupled.clear();
     for (std::uint32_t slot = 0; slot < joints.rows.size(); ++slot) {
         const JointRow& joint = joints.rows[slot];

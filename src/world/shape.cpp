@@ -57,6 +57,8 @@ void Shape::redefine(const ShapeDef& def)
     s.userData = def.userData;
     ShapeTable& shapes = w->impl_->shapes;
     shapes.setForm(id_.index, def.geometry, def.offset, def.angle, w->impl_->bodies.rows[s.body].localCenter);
+    w->impl_->references.forget(s.body);
+    w->impl_->pairsAreCurrent = false;
     shapes.setSurface(id_.index, {def.density, def.material, def.filter});
     w->impl_->updateMass(s.body);
     w->impl_->placeAgain(id_.index);
@@ -74,7 +76,10 @@ void Shape::setMaterial(const Material& material)
     if (refuse(check(material))) return;
     if (!w) return;
     ShapeSurface changed = surface;
-    if (material != surface.material) w->impl_->disturbShape(id_.index);
+    if (material != surface.material) {
+        w->impl_->disturbShape(id_.index);
+        w->impl_->pairsAreCurrent = false;
+    }
     changed.material = material;
     w->impl_->shapes.setSurface(id_.index, changed);
 }
@@ -93,6 +98,7 @@ void Shape::setFilter(const Filter& filter)
     ShapeSurface changed = surface;
     changed.filter = filter;
     w->impl_->shapes.setSurface(id_.index, changed);
+    w->impl_->pairsAreCurrent = false;
     w->impl_->placeAgain(id_.index);
 }
 

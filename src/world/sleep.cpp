@@ -100,7 +100,7 @@ void World::Impl::wakeGroup(std::uint32_t number, bool withContacts)
     for (const Contact& c : group.contacts) asleep.touching -= c.touching ? 1 : 0;
     asleep.contacts -= static_cast<std::uint32_t>(group.contacts.size());
     if (withContacts && !group.contacts.empty()) {
-        contactsAreSorted = false;
+        contactsAreSorted = pairsAreCurrent = false;
         contacts.rows.insert(contacts.rows.end(), group.contacts.begin(), group.contacts.end());
     }
     group.clear();
@@ -294,6 +294,7 @@ void World::Impl::storeContacts()
     }
     contacts.rows.resize(kept);
     contacts.order.clear();  // made anew in the next step
+    pairsAreCurrent = false;
     for (const std::uint32_t slot : bodies.parts) {
         BodyRow& b = bodies.rows[slot];
         if (!b.isAsleep() || !b.takesPart) continue;

@@ -4,7 +4,7 @@
 
 #include "base/timer.hpp"
 #include "contacts/rows.hpp"
-#include "contacts/update.hpp"
+#include "contacts/step_manifolds.hpp"
 #include "graph/coloring.hpp"
 #include "islands/links.hpp"
 #include "joints/reading.hpp"
@@ -71,7 +71,8 @@ void linkTouching(const JointSystem& system, const MotionTable& motions, GraphSc
     linkIslands(links, graph.movable, sameMotion, graph.islands);
 }
 
-void markCrowds(ContactTable& contacts, const Tuning& tuning, GraphScratch& graph, Parallel& parallel)
+void markCrowds(ContactTable& contacts, const Tuning& tuning, GraphScratch& graph,
+                std::vector<std::uint8_t>& renewed, Parallel& parallel)
 {
     listLinks(graph, Nearness::Near);
     const Islands& islands = graph.crowds;
@@ -83,8 +84,11 @@ void markCrowds(ContactTable& contacts, const Tuning& tuning, GraphScratch& grap
     parallel.forEach(contacts.rows.size(), kContactGrain, [&](const Chunk& chunk) {
         for (std::size_t k = chunk.begin; k < chunk.end; ++k) {
             const RowPair& pair = graph.pairs[k];
-            contacts.rows[k].crowded =
+            const bool crowded =
                 maximum(sizeAt(pair.a), sizeAt(pair.b)) >= static_cast<std::uint32_t>(tuning.crowd);
+            if (crowded == contacts.rows[k].crowded) continue;
+            contacts.rows[k].crowded = crowded;
+            renewed[k] = 1;
         }
     });
 }
@@ -185,31 +189,28 @@ StepReport World::Impl::step(double dt, int substeps)
     r.forceLawFaults += gather(forces, context);
 
     // Who might touch.
-    span.next("broad phase");
-    sweepPairs(boxes, restPairs, pairs, sweepScratch, parallel);
     begins.clear();
     ends.swap(endsOfDestroyed);
     endsOfDestroyed.clear();
-    sortContacts();
-    span.next("pairs to contacts");
     const ContactWorld world = contactWorld();
-    matchPairs(world, pairs, contacts.rows, matchScratch, parallel);
-    for (const Contact& contact : matchScratch.left) ends.push_back(touchEvent(contact));
+    span.next("broad phase");
+    const bool sameContacts = pairsAreCurrent;
+    if (!pairsAreCurrent) {
+        sweepPairs(boxes, restPairs, pairs, sweepScratch, parallel);
+        sortContacts();
+        span.next("pairs to contacts");
+        matchPairs(world, pairs, contacts.rows, matchScratch, parallel);
+        for (const Contact& contact : matchScratch.left) ends.push_back(touchEvent(contact));
+        pairsAreCurrent = true;
+    }
     r.times.pairs = watch.lap();
 
     // How.
     span.next("manifolds");
-    manifoldCounts.assign(Parallel::chunksOf(contacts.rows.size(), kPairBatch), {});
-    parallel.forEach(contacts.rows.size(), kPairBatch, [&](const Chunk& chunk) {
-        const std::span<Contact> batch(contacts.rows.data() + chunk.begin, chunk.end - chunk.begin);
-        updateForStep(batch, shapes, motions, context, paths, manifoldCounts[chunk.index]);
-        for (Contact& contact : batch)
-            placeContact(contact, motions.rows[contact.rowA], motions.rows[contact.rowB]);
-    });
-    for (const ManifoldCounts& counts : manifoldCounts) {
-        r.sweptPairs += counts.swept;
-        r.clamps.advancement += counts.exhausted;
-    }
+    const ManifoldCounts manifolds =
+        updateForStep(contacts.rows, shapes, motions, context, paths, manifoldScratch, parallel);
+    r.sweptPairs = manifolds.swept;
+    r.clamps.advancement += manifolds.exhausted;
     r.times.manifolds = watch.lap();
 
     // Who must be solved together, and who may be side by side.
@@ -217,16 +218,19 @@ StepReport World::Impl::step(double dt, int substeps)
     listMovable(motions, graph.movable);
     readContacts(contacts, context, graph, parallel);
     linkTouching(jointSystem, motions, graph);
-    markCrowds(contacts, context.tuning, graph, parallel);
-    colorConstraints(graph.pairs, graph.movable, contacts.order, contacts.colorEnds, graph.colors);
+    markCrowds(contacts, context.tuning, graph, manifoldScratch.renewed, parallel);
+    if (!sameContacts)
+        colorConstraints(graph.pairs, graph.movable, contacts.order, contacts.colorEnds, graph.colors);
     r.times.graph = watch.lap();
 
     // Move.
     span.next("solve");
     impacts.clear();
     roused.clear();
-    SolverStage stage{world,       forces, resting, asleep, graph.islands, motions, contacts, joints,
-                      jointSystem, boxes,  impacts, roused, solverScratch, profile, parallel};
+    SolverStage stage{
+        world,         forces,      resting, asleep,  graph.islands, motions,      contacts,
+        joints,        jointSystem, boxes,   impacts, roused,        sameContacts, manifoldScratch.renewed,
+        solverScratch, profile,     parallel};
     const SolverCounts counts = solve(stage, context);
     for (const std::uint32_t group : roused) wakeGroup(group, false);  // their contacts are here already
     r.clamps.speed += counts.clamps.speed;
@@ -247,7 +251,7 @@ StepReport World::Impl::step(double dt, int substeps)
     r.clamps.position = final.stopped;
     r.deepestOverlap = final.deepestOverlap;
     span.next("events");
-    contactsAreSorted = contactsAreSorted && r.repaired == 0 && roused.empty();
+    if (r.repaired > 0 || !roused.empty()) contactsAreSorted = pairsAreCurrent = false;
     sortContacts();
     r.touching = findTouches(contacts, context.tuning, touchChanges, chunkStarts, parallel);
     for (std::size_t i = 0; i < contacts.rows.size(); ++i) {

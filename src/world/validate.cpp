@@ -51,6 +51,23 @@ void validateLaws(const std::vector<PlacedLaw>& laws, const IdPool<ForceLawId>& 
     }
 }
 
+// Contacts that the next step will take as they are must be as it would make them.
+void validateKept(const ContactTable& contacts, const ContactWorld& world, Faults& faults)
+{
+    for (std::size_t i = 0; i < contacts.rows.size(); ++i) {
+        const Contact& c = contacts.rows[i];
+        const ShapePair pair{c.shapeA, c.shapeB};
+        const Contact anew = makeContact(world, pair);
+        faults.at("contacts", i);
+        faults.that(mayCollide(world, pair), "shapeB", c.shapeB, "must be one that may collide with shapeA");
+        faults.that(c.radiusA == anew.radiusA && c.radiusB == anew.radiusB && c.restGap == anew.restGap,
+                    "restGap", c.restGap, "must be that of the shapes");
+        faults.that(c.friction == anew.friction && c.restitution == anew.restitution &&
+                        c.rolling == anew.rolling && c.surfaceSpeed == anew.surfaceSpeed,
+                    "friction", c.friction, "and all else must be that of the materials");
+    }
+}
+
 }  // namespace
 
 void World::Impl::validate(Faults& faults) const
@@ -73,6 +90,7 @@ void World::Impl::validate(Faults& faults) const
         if (joints.ids.isAlive(slot))
             validateJointDef(joints.rows[slot].def, slot, settings.lengthUnit, faults);
     validateContacts(contacts.rows, contactsAreSorted, shapes, faults);
+    if (pairsAreCurrent && !uncoupledIsStale) validateKept(contacts, contactWorld(), faults);
     validateSleep(asleep, bodies, shapes, faults);
     // A shape destroyed and a group fallen asleep take the order with them; contacts that came in mid-step,
     // or have woken since, are not in it.

@@ -159,6 +159,8 @@ void World::setTuning(const Tuning& tuning)
     if (tuning == impl_->settings.tuning) return;
     impl_->wakeAll();
     impl_->settings.tuning = tuning;
+    impl_->references.forgetAll();
+    impl_->pairsAreCurrent = false;
     impl_->placeEverything();
 }
 
@@ -170,6 +172,7 @@ void World::setMixingRules(MixingRule friction, MixingRule restitution)
         impl_->wakeAll();
     impl_->settings.frictionMixing = friction;
     impl_->settings.restitutionMixing = restitution;
+    impl_->pairsAreCurrent = false;
 }
 
 void World::setAllowSleep(bool allow)

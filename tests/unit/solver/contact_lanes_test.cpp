@@ -130,7 +130,7 @@ TEST(ContactLanes, GiveTheBitsOfVisitingContactsOneByOne)
             solveOneByOne(single);
 
             ContactPasses passes(width, parallel);
-            passes.begin(wide.contacts, wide.motions, wide.islands, wide.context);
+            passes.begin(wide.contacts, wide.motions, wide.islands, wide.context, false, {});
             passes.prepare(wide.contacts, wide.motions, wide.rows, wide.context);
             passes.solve(wide.contacts, wide.motions, wide.rows, wide.context);
             passes.end(wide.contacts);
@@ -168,7 +168,7 @@ TEST(ContactLanes, GiveTheSameBitsWithAnyWidth)
             Heap heap = start;
             ClampCounts clamps;
             ContactPasses passes(width, parallel);
-            passes.begin(heap.contacts, heap.motions, heap.islands, heap.context);
+            passes.begin(heap.contacts, heap.motions, heap.islands, heap.context, false, {});
             for (int tick = 0; tick < 3; ++tick) {
                 passes.prepare(heap.contacts, heap.motions, heap.rows, heap.context);
                 passes.solve(heap.contacts, heap.motions, heap.rows, heap.context);

@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: MIT
+#include "contacts/step_manifolds.hpp"
+
+#include "contacts/rows.hpp"
+
+#include <atomic>
+
+namespace tamias2d::inline TAMIAS_PRECISION {
+namespace {
+
+// What is swept is looked at again anyway, and what came in mid-step is for no pose.
+bool keepsManifold(const Contact& c, const MotionTable& motions)
+{
+    return !c.swept && c.versionA == motions.versions[c.rowA] && c.versionB == motions.versions[c.rowB];
+}
+
+void updateBatch(std::span<Contact* const> contacts, const ShapeTable& shapes, const MotionTable& motions,
+                 const StepContext& context, const ExpectedPaths& paths, ManifoldCounts& counts)
+{
+    SweptResult results[kPairBatch];
+    paths.collide(contacts, shapes, motions, results);
+
+    const real dt = static_cast<real>(context.dt);
+    for (std::size_t i = 0; i < contacts.size(); ++i) {
+        Contact& contact = *contacts[i];
+        const SweptResult& result = results[i];
+        const Convex &a = shapes.convex(contact.shapeA), &b = shapes.convex(contact.shapeB);
+        counts.exhausted += result.exhausted ? 1 : 0;
+        adoptManifold(contact, result, real(0.3) * maximum(a.size, b.size));
+        contact.swept =
+            contact.atImpact || result.bends ||
+            (contact.count == 0 && withinReach(paths.pairOf(contact, shapes, motions), result.startGap, dt));
+        contact.clearance = result.startGap;
+        contact.versionA = motions.versions[contact.rowA];
+        contact.versionB = motions.versions[contact.rowB];
+        counts.swept += contact.swept ? 1 : 0;
+        placeContact(contact, motions.rows[contact.rowA], motions.rows[contact.rowB]);
+    }
+}
+
+}  // namespace
+
+ManifoldCounts updateForStep(std::vector<Contact>& contacts, const ShapeTable& shapes,
+                             const MotionTable& motions, const StepContext& context, ExpectedPaths& paths,
+                             ManifoldScratch& scratch, Parallel& parallel)
+{
+    const std::size_t chunks = Parallel::chunksOf(contacts.size(), kPairBatch);
+    scratch.counts.assign(chunks, {});
+    scratch.renewed.reserve(contacts.capacity());
+    scratch.renewed.resize(contacts.size());
+    scratch.needed.assign(motions.rows.size(), 0);
+    parallel.forEach(contacts.size(), kPairBatch, [&](const Chunk& chunk) {
+        for (std::size_t k = chunk.begin; k < chunk.end; ++k) {
+            const Contact& c = contacts[k];
+            scratch.renewed[k] = keepsManifold(c, motions) ? 0 : 1;
+            if (scratch.renewed[k] == 0) {
+                ++scratch.counts[chunk.index].kept;
+                continue;
+            }
+            for (const std::uint32_t row : {c.rowA, c.rowB})
+                std::atomic_ref(scratch.needed[row]).store(1, std::memory_order_relaxed);
+        }
+    });
+    parallel.forEach(motions.rows.size(), kPairBatch, [&](const Chunk& chunk) {
+        for (std::size_t row = chunk.begin; row < chunk.end; ++row)
+            if (scratch.needed[row] != 0 && !paths.isReckoned(row))
+                paths.reckon(row, motions.rows[row], true);
+    });
+
+    parallel.forEach(contacts.size(), kPairBatch, [&](const Chunk& chunk) {
+        ManifoldCounts& counts = scratch.counts[chunk.index];
+        if (counts.kept == chunk.end - chunk.begin) return;
+        Contact* batch[kPairBatch];
+        std::size_t count = 0;
+        for (std::size_t k = chunk.begin; k < chunk.end; ++k)
+            if (scratch.renewed[k] != 0) batch[count++] = &contacts[k];
+        updateBatch({batch, count}, shapes, motions, context, paths, counts);
+    });
+
+    ManifoldCounts sum;
+    for (const ManifoldCounts& counts : scratch.counts) {
+        sum.kept += counts.kept;
+        sum.swept += counts.swept;
+        sum.exhausted += counts.exhausted;
+    }
+    return sum;
+}
+
+}  // namespace tamias2d::inline TAMIAS_PRECISION

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "contacts/update.hpp"
+
+namespace tamias2d::inline TAMIAS_PRECISION {
+
+/// What the manifolds of some contacts came to.
+struct ManifoldCounts {
+    std::uint32_t kept = 0;        ///< manifolds of the step before
+    std::uint32_t swept = 0;       ///< pairs that are looked at again in every tick
+    std::uint32_t exhausted = 0;   ///< searches for a time of impact that ran out of iterations
+};
+
+/// What looking for manifolds works with; it keeps its memory from step to step.
+struct ManifoldScratch {
+    std::vector<std::uint8_t> needed;      // by row: is its way asked for?
+    std::vector<ManifoldCounts> counts;    // by chunk
+    std::vector<std::uint8_t> renewed;     // by contact: has it another manifold than in the step before?
+};
+
+/// The manifolds of all contacts for the whole step, from 0 to dt, which `paths` must be for, placed where
+/// the bodies are. A contact keeps the one it has while both its bodies stay near the poses that it is for.
+/// Pairs that may still meet in another way are flagged `swept`: they are looked at again in every tick.
+ManifoldCounts updateForStep(std::vector<Contact>& contacts, const ShapeTable& shapes,
+                             const MotionTable& motions, const StepContext& context, ExpectedPaths& paths,
+                             ManifoldScratch& scratch, Parallel& parallel);
+
+}  // namespace tamias2d::inline TAMIAS_PRECISION

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "model/motion.hpp"
+
+namespace tamias2d::inline TAMIAS_PRECISION {
+
+/// Where a body was when something was found out that holds as long as it stays near there.
+struct ReferencePose {
+    Position center;              // [m]
+    double angle = 0;             // in [0, 2 pi)   [rad]
+    real room = -1;               // how far any of its points may go from there; < 0: nothing holds   [m]
+    std::uint32_t version = 0;    // another one with each new pose; 0: there has been none yet
+
+    /// Does it stay near enough, if none of its points goes farther than `travel` [m] from where it is?
+    bool holds(const Motion& m, real travel) const
+    {
+        const double turn = absolute(m.angle - angle), least = minimum(turn, kTwoPi - turn);
+        const double off = absolute(m.center.x - center.x) + absolute(m.center.y - center.y) +
+                           static_cast<double>(m.extent) * least + static_cast<double>(travel);
+        return off <= static_cast<double>(room);
+    }
+    void renew(const Motion& m, real newRoom)
+    {
+        center = m.center;
+        angle = m.angle;
+        room = newRoom;
+        ++version;
+    }
+};
+
+/// What is kept from step to step of bodies that hardly move: their boxes of the broad phase, and the
+/// manifolds of their contacts.
+struct ReferencePoses {
+    struct Row {
+        ReferencePose ofBoxes, ofManifolds;
+    };
+    std::vector<Row> rows;   // by body slot
+
+    /// Something else about the body has changed: nothing is kept.
+    void forget(std::uint32_t body)
+    {
+        if (body < rows.size()) rows[body].ofBoxes.room = rows[body].ofManifolds.room = -1;
+    }
+    void forgetAll()
+    {
+        for (Row& row : rows) row.ofBoxes.room = row.ofManifolds.room = -1;
+    }
+};
+
+}  // namespace tamias2d::inline TAMIAS_PRECISION

@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: MIT
+// Where bodies are expected to go, and the boxes that hold their shapes all along. What hardly moves keeps
+// its boxes, and with them its pairs; and its manifolds.
+
+#include "contacts/update.hpp"
+#include "world/impl.hpp"
+
+#include <atomic>
+#include <limits>
+
+namespace tamias2d::inline TAMIAS_PRECISION {
+namespace {
+
+// Parts of the width of a body: how far its points may go before its boxes are made anew, and before its
+// manifolds are. Two that went as far as they may are off by no more than their rest gap.
+constexpr real kBoxRoom = real(0.005);
+real manifoldRoom(const StepContext& context)
+{
+    return context.tuning.restGap / 4;
+}
+
+// How far any point of the body goes in the step at most.   [m]
+real travelOf(const Motion& m, const StepContext& context)
+{
+    const real dt = static_cast<real>(context.dt);
+    const auto bound = [](Vec2 v) { return absolute(v.x) + absolute(v.y); };
+    const real turn = absolute(m.spin) + dt * absolute(expectedSpinRate(m, context.invH));
+    return dt * (bound(m.velocity) + dt * bound(expectedAcceleration(m, context.invH)) + m.extent * turn);
+}
+
+}  // namespace
+
+// Of the smallest shape of the body.   [m]
+real World::Impl::widthOf(std::uint32_t body) const
+{
+    real width = std::numeric_limits<real>::max();
+    for (const std::uint32_t slot : shapes.of(bodies.rows[body]))
+        width = minimum(width, shapes.convex(slot).size);
+    return width;
+}
+
+// One body: its boxes, from `next` on, which hold those of the step before. Returns whether any of them is
+// another one.
+bool World::Impl::sweepBody(std::size_t row, const StepContext& context, SweepBox* next)
+{
+    const Motion& m = motions.rows[row];
+    const ShapeList& own = bodies.rows[m.body].shapes;
+    ReferencePoses::Row& known = references.rows[m.body];
+    const real dt = static_cast<real>(context.dt), travel = travelOf(m, context);
+    if (!known.ofManifolds.holds(m, travel))
+        known.ofManifolds.renew(m, manifoldRoom(context) * widthOf(m.body));
+    motions.versions[row] = known.ofManifolds.version;
+    motions.origins[row] = known.ofManifolds.center;
+
+    const bool moves = m.moves() || m.velocity != Vec2{} || m.spin != 0;
+    bool keeps = known.ofBoxes.holds(m, travel);
+    std::size_t k = 0;
+    for (const std::uint32_t slot : shapes.of(own)) {
+        keeps = keeps && next[k].shape == slot && next[k].body == m.body && next[k].moves == moves;
+        ++k;
+    }
+    if (keeps) return false;
+
+    // What is fast leaves its boxes anyway.
+    const real width = widthOf(m.body), room = travel < kBoxRoom / 2 * width ? kBoxRoom * width : real(0);
+    const Trajectory& path = paths.reckon(row, m, true);
+    for (const std::uint32_t slot : shapes.of(own)) {
+        const Convex& convex = shapes.convex(slot);
+        const real margin = 3 * context.tuning.restGap * convex.size + room;
+        *next++ = {sweptBounds(convex, path, m.center, 0, dt, margin), slot, m.body, moves};
+    }
+    known.ofBoxes.renew(m, room);
+    return true;
+}
+
+// One that holds still, which has no boxes here.
+void World::Impl::sweepStill(std::size_t row, const StepContext& context)
+{
+    const Motion& m = motions.rows[row];
+    ReferencePose& pose = references.rows[m.body].ofManifolds;
+    if (!pose.holds(m, travelOf(m, context))) pose.renew(m, manifoldRoom(context) * widthOf(m.body));
+    motions.versions[row] = pose.version;
+    motions.origins[row] = pose.center;
+}
+
+// All that take part in the step. Returns whether any box is another one than in the step before.
+bool World::Impl::sweepBodies(const StepContext& context)
+{
+    constexpr std::size_t kGrain = 64;
+    references.rows.resize(bodies.rows.size());
+    motions.versions.resize(motions.rows.size());
+    motions.origins.resize(motions.rows.size());
+
+    // By chunk: how many boxes, then where they begin.
+    std::vector<std::uint32_t>& firstOf = chunkStarts;
+    firstOf.assign(Parallel::chunksOf(motions.parts, kGrain), 0);
+    const auto countOf = [&](std::size_t row) { return bodies.rows[motions.rows[row].body].shapes.count; };
+    parallel.forEach(motions.parts, kGrain, [&](const Chunk& chunk) {
+        std::size_t count = 0;
+        for (std::size_t row = chunk.begin; row < chunk.end; ++row) count += countOf(row);
+        firstOf[chunk.index] = static_cast<std::uint32_t>(count);
+    });
+    std::uint32_t start = 0;
+    for (std::uint32_t& count : firstOf) count = (start += count) - count;
+
+    std::atomic<bool> changed = boxes.size() != start;
+    boxes.resize(start);
+    paths.begin(motions.rows.size(), static_cast<real>(context.dt), context.invH);
+    parallel.forEach(motions.parts, kGrain, [&](const Chunk& chunk) {
+        SweepBox* next = boxes.data() + firstOf[chunk.index];
+        for (std::size_t row = chunk.begin; row < chunk.end; ++row) {
+            if (sweepBody(row, context, next)) changed.store(true, std::memory_order_relaxed);
+            next += countOf(row);
+        }
+    });
+    return changed;
+}
+
+}  // namespace tamias2d::inline TAMIAS_PRECISION
