@@ -14,10 +14,12 @@
 namespace tamias2d::inline TAMIAS_PRECISION {
 namespace {
 
-constexpr double kRigid = 1e-7, kBounded = 1e-2;  // gamma over the effective mass inverted
+constexpr double kRigid = 1e-7, kRope = 1e-6, kBounded = 1e-2;  // gamma over the effective mass inverted
 constexpr int kMostSteps = 40;  // of Newton's method, for one set of impulses before
 constexpr int kMostTrials = 20;  // of the length of a step
 constexpr double kTurned = 1e-9;  // of a speed: what may be left where a force turns under its bound
+constexpr double kLeft = 1e-5;  // of the speeds: where rows that bear next to nothing go from bound to bound
+constexpr double kRough = 1e-4;  // the same on the way to a harder rope
 constexpr int kRepeats = 3;  // of the whole, each from the impulses of the last
 
 // Of each row, two bits.
@@ -28,11 +30,14 @@ struct Answer {
     double at = 0, slope = 0;
 };
 
-Answer answerOf(const ConstraintRow& row, const RowVisit& visit, double before)
+Answer answerOf(const ConstraintRow& row, const RowVisit& visit, double before, double ropes)
 {
     if (row.kind == RowKind::Spring)
         return {-static_cast<double>(visit.push), static_cast<double>(visit.give)};
-    const double gamma = (row.kind == RowKind::Rigid ? kRigid : kBounded) * static_cast<double>(row.mass);
+    const double gamma = (row.kind == RowKind::Rigid ? kRigid
+                          : row.bears                ? ropes
+                                                     : kBounded) *
+                         static_cast<double>(row.mass);
     if (!(gamma > 0)) return {};
     return {before - static_cast<double>(visit.bias) / gamma, 1 / gamma};
 }
@@ -59,7 +64,8 @@ private:
     }
 
     void load(const std::vector<BodyMotion<real>>& velocities);
-    double speed(std::size_t j, const ConstraintRow& row) const;
+    double speed(std::size_t j, const Jacobian& direction) const;
+    void addAlong(std::size_t j, const Jacobian& direction, double amount, std::vector<double>& out) const;
     double wantedBy(std::size_t j, int i) const;
     bool answer();
     void answerPair(std::size_t j, int second, const double (&wanted)[JointRows::kMost]);
@@ -70,9 +76,16 @@ private:
     void move(double part);
     double descent();
     void shorten();
+    bool hasRopes();
+    bool soften(const std::vector<BodyMotion<real>>& velocities);
+    bool repeat(int times);
     bool converge();
     void addRow(const Jacobian& jacobian, int nodeA, int nodeB, double weight);
 
+    void takeBack();
+
+    bool guarded_ = false;  // does a tie at a distance resist turning?
+    double ropeGamma_ = kRope;  // over the effective mass inverted, of limits that bear loads
     bool turns_ = false;  // is there a force of two rows at its bound?
 };
 
@@ -103,6 +116,9 @@ void DirectSolver::load(const std::vector<BodyMotion<real>>& velocities)
         group_.start[3 * n + 2] = static_cast<double>(velocities[n].spin);
     }
     group_.velocity = group_.start;
+    guarded_ = std::any_of(group_.joints.begin(), group_.joints.end(),
+                           [&](std::uint32_t j) { return all_[j].turnMass > 0; });
+    if (guarded_) takeBack();
     group_.states.assign(group_.joints.size(), 0xffff);
     group_.factored.clear();
     group_.impulses.assign(group_.joints.size() * JointRows::kMost, 0);
@@ -112,7 +128,39 @@ void DirectSolver::load(const std::vector<BodyMotion<real>>& velocities)
     group_.before = group_.impulses;
 }
 
-double DirectSolver::speed(std::size_t j, const ConstraintRow& row) const
+// The velocities without what the group itself has changed in this half of the tick.
+void DirectSolver::takeBack()
+{
+    std::vector<double>& given = group_.given;
+    if (group_.begins) {  // what was carried
+        given.assign(group_.start.size(), 0);
+        for (std::size_t j = 0; j < group_.joints.size(); ++j)
+            for (int i = 0; i < joint(j).count; ++i)
+                addAlong(j, joint(j).rows[i].j, static_cast<double>(joint(j).visits[i].impulse), given);
+        for (std::size_t n = 0; n < group_.rows.size(); ++n) {
+            double mass[3];
+            fillMasses(motions_[group_.rows[n]], mass);
+            for (std::size_t i = 0; i < 3; ++i) given[3 * n + i] /= mass[i];
+        }
+    }
+    for (std::size_t i = 0; i < given.size(); ++i) group_.start[i] -= given[i];
+}
+
+// Adds an amount along a direction in the space of velocities.
+void DirectSolver::addAlong(std::size_t j, const Jacobian& direction, double amount,
+                            std::vector<double>& out) const
+{
+    const JointRows& rows = all_[group_.joints[j]];
+    const auto [nodeA, nodeB] = group_.nodes[j];
+    double onA[3], onB[3];
+    fillJacobian(direction, motions_[rows.rowA], motions_[rows.rowB], onA, onB);
+    for (std::size_t c = 0; c < 3; ++c) {
+        if (nodeA >= 0) out[3 * static_cast<std::size_t>(nodeA) + c] += onA[c] * amount;
+        if (nodeB >= 0) out[3 * static_cast<std::size_t>(nodeB) + c] += onB[c] * amount;
+    }
+}
+
+double DirectSolver::speed(std::size_t j, const Jacobian& direction) const
 {
     const auto part = [&](int node, std::uint32_t motion, Vec2 linear, real turn) {
         const double spin = static_cast<double>(turn);
@@ -125,7 +173,8 @@ double DirectSolver::speed(std::size_t j, const ConstraintRow& row) const
     };
     const JointRows& rows = all_[group_.joints[j]];
     const auto [a, b] = group_.nodes[j];
-    return part(a, rows.rowA, row.j.linearA, row.j.turnA) + part(b, rows.rowB, row.j.linearB, row.j.turnB);
+    return part(a, rows.rowA, direction.linearA, direction.turnA) +
+           part(b, rows.rowB, direction.linearB, direction.turnB);
 }
 
 // The impulse that a row answers to the velocity at hand, were it not for its bounds.
@@ -133,8 +182,8 @@ double DirectSolver::wantedBy(std::size_t j, int i) const
 {
     const JointRows& rows = all_[group_.joints[j]];
     const double before = group_.before[j * JointRows::kMost + static_cast<std::size_t>(i)];
-    const Answer a = answerOf(rows.rows[i], rows.visits[i], before);
-    return a.at - a.slope * speed(j, rows.rows[i]);
+    const Answer a = answerOf(rows.rows[i], rows.visits[i], before, ropeGamma_);
+    return a.at - a.slope * speed(j, rows.rows[i].j);
 }
 
 // The impulses that the rows answer to the velocity at hand; true if each is as free as it was, or at the
@@ -217,11 +266,14 @@ bool DirectSolver::factor()
 void DirectSolver::addRows(std::size_t j)
 {
     const JointRows& rows = joint(j);
+    if (rows.turnMass > 0)
+        addRow(rows.across, group_.nodes[j].first, group_.nodes[j].second,
+               static_cast<double>(rows.turnMass));
     for (int i = 0; i < rows.count; ++i) {
         const unsigned state = group_.states[j] >> 2 * i & 3u;
         if (state == Together && rows.rows[i].pairBound) addPair(j, i);
         if (state != Free) continue;
-        const double slope = answerOf(rows.rows[i], rows.visits[i], 0).slope;
+        const double slope = answerOf(rows.rows[i], rows.visits[i], 0, ropeGamma_).slope;
         if (slope > 0) addRow(rows.rows[i].j, group_.nodes[j].first, group_.nodes[j].second, slope);
     }
 }
@@ -235,7 +287,7 @@ void DirectSolver::addPair(std::size_t j, int second)
     const double strength = length(force);
     if (!(strength > 0)) return;
     const double part = strength / length(DVec2{wantedBy(j, second - 1), wantedBy(j, second)});
-    const double slope = answerOf(y, rows.visits[second], 0).slope * part;
+    const double slope = answerOf(y, rows.visits[second], 0, ropeGamma_).slope * part;
     const auto alongX = static_cast<real>(-force.y / strength),
                alongY = static_cast<real>(force.x / strength);
     const Jacobian across{alongX * x.j.linearA + alongY * y.j.linearA,
@@ -256,16 +308,12 @@ void DirectSolver::residual(std::vector<double>& out)
     }
     for (std::size_t j = 0; j < group_.joints.size(); ++j) {
         const JointRows& rows = joint(j);
-        const auto [nodeA, nodeB] = group_.nodes[j];
         for (int i = 0; i < rows.count; ++i) {
-            double onA[3], onB[3];
-            fillJacobian(rows.rows[i].j, motions_[rows.rowA], motions_[rows.rowB], onA, onB);
-            const double given = impulse(j, i) - static_cast<double>(rows.visits[i].impulse);
-            for (std::size_t c = 0; c < 3; ++c) {
-                if (nodeA >= 0) out[3 * static_cast<std::size_t>(nodeA) + c] += onA[c] * given;
-                if (nodeB >= 0) out[3 * static_cast<std::size_t>(nodeB) + c] += onB[c] * given;
-            }
+            const double before = guarded_ ? 0 : static_cast<double>(rows.visits[i].impulse);
+            addAlong(j, rows.rows[i].j, impulse(j, i) - before, out);
         }
+        if (rows.turnMass > 0)
+            addAlong(j, rows.across, -static_cast<double>(rows.turnMass) * speed(j, rows.across), out);
     }
 }
 
@@ -315,19 +363,26 @@ void DirectSolver::shorten()
     }
 }
 
+double greatest(const std::vector<double>& numbers)
+{
+    double most = 0;
+    for (const double x : numbers) most = maximum(most, absolute(x));
+    return most;
+}
+
 bool DirectSolver::converge()
 {
     answer();
+    const double left = ropeGamma_ > kRope ? kRough : kLeft;
     for (int step = 0; step < kMostSteps; ++step) {
         if (!factor()) return false;
         residual(group_.step);
         group_.matrix.solve(group_.step);
         move(1);
         if (answer() && !turns_) return true;
-        double most = 0;
-        for (const double change : group_.step) most = maximum(most, absolute(change));
+        const double most = greatest(group_.step);
         shorten();
-        if (turns_ && most <= kTurned) return true;
+        if (most <= (turns_ ? kTurned : left * greatest(group_.velocity))) return true;
     }
     return false;
 }
@@ -335,16 +390,53 @@ bool DirectSolver::converge()
 bool DirectSolver::solve(const std::vector<BodyMotion<real>>& velocities)
 {
     load(velocities);
-    for (int repeat = 0; repeat < kRepeats; ++repeat) {
+    ropeGamma_ = kRope;
+    const bool solved = repeat(kRepeats) || (hasRopes() && soften(velocities));
+    return solved && std::all_of(group_.velocity.begin(), group_.velocity.end(),
+                                 [](double v) { return std::isfinite(v); });
+}
+
+bool DirectSolver::hasRopes()
+{
+    for (std::size_t j = 0; j < group_.joints.size(); ++j)
+        for (int i = 0; i < joint(j).count; ++i)
+            if (joint(j).rows[i].bears) return true;
+    return false;
+}
+
+// Ropes that give way as much as other limits do, and then less and less, as long as that can be solved.
+bool DirectSolver::soften(const std::vector<BodyMotion<real>>& velocities)
+{
+    load(velocities);
+    ropeGamma_ = kBounded;
+    if (!repeat(1)) return false;
+    while (ropeGamma_ > 2 * kRope) {
+        ropeGamma_ /= 10;
+        group_.kept = group_.velocity;
+        if (repeat(1)) continue;
+        group_.velocity = group_.kept;
+        group_.impulses = group_.before;
+        break;
+    }
+    return true;
+}
+
+// Newton's method from impulses to impulses; the last it found are at hand.
+bool DirectSolver::repeat(int times)
+{
+    for (int i = 0; i < times; ++i) {
         if (!converge()) return false;
         group_.before = group_.impulses;
     }
-    return std::all_of(group_.velocity.begin(), group_.velocity.end(),
-                       [](double v) { return std::isfinite(v); });
+    return true;
 }
 
 void DirectSolver::store(std::vector<BodyMotion<real>>& velocities, real& change)
 {
+    if (guarded_)
+        for (std::size_t i = 0; i < group_.given.size(); ++i)
+            group_.given[i] = group_.velocity[i] - group_.start[i];
+    group_.begins = false;
     // What the impulses make of the velocities, as those that are kept are the impulses.
     for (std::size_t j = 0; j < group_.joints.size(); ++j)
         for (int i = 0; i < joint(j).count; ++i)

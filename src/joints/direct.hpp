@@ -17,15 +17,19 @@ struct DirectGroup {
     std::vector<BlockLdl::Edge> nodes;    // by joint: of its bodies; -1 for one that nothing moves
     BlockLdl matrix;
 
+    // Of the half of a tick at hand, where ties at a distance resist turning: what the group has changed.
+    bool begins = true;  // its first visit is to come
+    std::vector<double> given;  // three numbers a node   [m/s], [rad/s]
+
     // Of the solve at hand.
-    std::vector<double> start, velocity, step, left;   // three numbers a node
-    std::vector<double> impulses, before;        // by joint and row
-    std::vector<std::uint16_t> states;           // by joint: at which bounds its rows are
-    std::vector<std::uint16_t> factored;         // likewise, of the factors at hand
+    std::vector<double> start, velocity, step, left, kept;  // three numbers a node
+    std::vector<double> impulses, before;  // by joint and row
+    std::vector<std::uint16_t> states;  // by joint: at which bounds its rows are
+    std::vector<std::uint16_t> factored;  // likewise, of the factors at hand
 
     int analyzedNodes = -1;
     std::vector<BlockLdl::Edge> analyzed;
-    std::vector<BlockLdl::Edge> edges;           // scratch
+    std::vector<BlockLdl::Edge> edges;  // scratch
 
     /// Finds nodes and order; cheap if nothing has changed since.
     void build(const std::vector<JointRows>& all, const std::vector<Motion>& motions);

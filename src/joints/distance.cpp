@@ -16,7 +16,10 @@ Vec2 lineOf(const JointPose& pose)
 void measure(const DistanceJoint& kind, const JointPose& pose, JointRows& out)
 {
     const double distance = length(toDVec2(pose.between));
-    const Jacobian j = pointJacobian(lineOf(pose), pose);
+    const Vec2 line = lineOf(pose);
+    const Jacobian j = pointJacobian(line, pose);
+    out.distance = static_cast<real>(distance);
+    out.across = pointJacobian(perpendicular(line), pose);
     if (!kind.limits && !kind.motor && !kind.spring) {
         const auto error = static_cast<real>(distance - static_cast<double>(kind.length));
         out.add(RowKind::Rigid, JointSlot::kBlock, j, error, false);
@@ -26,6 +29,7 @@ void measure(const DistanceJoint& kind, const JointPose& pose, JointRows& out)
     std::optional<JointLimits> limits = kind.limits;
     if (limits && !(limits->lower > 0)) limits->lower = -kUnlimited;  // nothing is shorter than nothing
     addLimits(limits, j, distance, false, out);
+    for (int i = 0; i < out.count; ++i) out.rows[i].bears = out.rows[i].kind == RowKind::Limit;
 }
 
 JointCoordinate coordinateOf(const DistanceJoint&, const JointPose& pose)

@@ -82,6 +82,7 @@ double toothAt(const RatchetJoint& kind, double angle);
 inline void measureJoint(const JointKind& kind, const JointPose& pose, JointRows& out)
 {
     out.count = out.rigid = 0;
+    out.distance = 0;
     out.armA = pose.armA;
     out.armB = pose.armB;
     std::visit([&](const auto& k) { measure(k, pose, out); }, kind);

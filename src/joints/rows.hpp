@@ -34,6 +34,7 @@ struct ConstraintRow {
     RowKind kind = RowKind::Rigid;
     std::uint8_t slot = 0;       // its place among the joint's impulses
     bool angular = false;        // J v is a speed of turning
+    bool bears = false;          // a limit that bears loads as rigid rows do: the end of a rope
     bool pairBound = false;      // it and the row before it are bounded together, as a vector
     Jacobian j;
     real error = 0;              // C   [m] or [rad]
@@ -59,6 +60,9 @@ struct JointRows {
     real inverse[3][3] = {};  // of the rigid rows' J M^-1 J^T
     real reach = 0;  // how far the bodies extend   [m]
     Vec2 armA, armB;  // to the anchors              [m]
+    real distance = 0;  // between the anchors, of what ties them over it; else 0   [m]
+    Jacobian across;  // what turns the line between them
+    real turnMass = 0;  // with which that resists in this tick   [kg]   [eq. 13]
 
     ConstraintRow& add(RowKind kind, int slot, const Jacobian& j, real error, bool angular);
 };

@@ -247,12 +247,27 @@ void takeInertia(Motion& m, real invInertia)
 
 }  // namespace
 
+namespace {
+
+// What resists the turning of a tie at a distance in the tick [eq. 13]. `pull` is its impulse in the last
+// one.
+real turnMassOf(const JointRows& joint, real pull, const Motion& a, const Motion& b,
+                const StepContext& context)
+{
+    constexpr real kOwn = real(0.1);  // of the lighter mass: up to there nothing is done
+    const real inverse = maximum(maximum(a.invMass.x, a.invMass.y), maximum(b.invMass.x, b.invMass.y));
+    if (!(joint.distance > 0) || !(inverse > 0)) return 0;
+    return maximum(real(0), context.h * pull / joint.distance - kOwn / inverse);
+}
+
+}  // namespace
+
 void guardLightBodies(const JointTable& table, const BodyTable& bodies, JointSystem& system,
                       std::vector<Motion>& rows, const StepContext& context)
 {
     constexpr real kStiff = 4;  // a body may turn by 1/sqrt(this) radians of its swing in a tick
     system.pull.assign(rows.size(), 0);
-    for (const JointRows& joint : system.joints) {
+    for (JointRows& joint : system.joints) {
         Vec2 onA, onB;
         for (int i = 0; i < joint.count; ++i) {
             const real impulse = table.rows[joint.joint].impulses[joint.rows[i].slot];
@@ -261,6 +276,8 @@ void guardLightBodies(const JointTable& table, const BodyTable& bodies, JointSys
         }
         system.pull[joint.rowA] += length(joint.armA) * length(onA);
         system.pull[joint.rowB] += length(joint.armB) * length(onB);
+        joint.turnMass = turnMassOf(joint, dot(onB, perpendicular(joint.across.linearB)), rows[joint.rowA],
+                                    rows[joint.rowB], context);
     }
     bool changed = false;
     for (std::size_t i = 0; i < rows.size(); ++i) {
@@ -304,6 +321,7 @@ void spreadLoad(JointSystem& system, std::vector<Motion>& rows)
 void startJoints(const JointTable& table, const BodyTable& bodies, const MotionTable& motions,
                  const StepContext& context, JointSystem& system)
 {
+    for (std::size_t d = 0; d < system.directCount; ++d) system.direct[d].begins = true;
     for (JointRows& rows : system.joints) {
         const Motion &a = motions.rows[rows.rowA], &b = motions.rows[rows.rowB];
         startRows(rows, table.rows[rows.joint], context);
@@ -352,6 +370,7 @@ void tallyJoints(JointTable& table, const JointSystem& system, const std::vector
 
 void turnSteadyJoints(JointSystem& system, std::vector<Motion>& rows, const StepContext& context)
 {
+    for (std::size_t d = 0; d < system.directCount; ++d) system.direct[d].begins = true;
     for (std::size_t i = 0; i < rows.size(); ++i) {
         if (!system.isHalved(i)) continue;
         rows[i].steady = {};
@@ -381,7 +400,8 @@ void keepJoints(JointTable& table, const JointSystem& system, const StepContext&
             if (joint.lost || !std::isfinite(carried)) carried = 0;
             const real arms = length(joint.armA) + length(joint.armB);
             const real give = row.angular ? real(0) : predictedGive(row, carried, context.h);
-            if (row.kind == RowKind::Rigid && give > kGive * arms) kept.stiffSteps = kHold;
+            const bool bears = row.kind == RowKind::Rigid || row.bears;
+            if (bears && give > kGive * arms) kept.stiffSteps = kHold;
             if (row.kind != RowKind::Limit) continue;
             // The blow with which a limit is met is not a load it will bear.
             const int side = row.slot - JointSlot::kLower;

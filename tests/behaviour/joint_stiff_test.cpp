@@ -87,6 +87,112 @@ INSTANTIATE_TEST_SUITE_P(Joints, ChainOf,
                                          ChainCase{50, 1, 0.007}, ChainCase{50, 100, 0.0015},
                                          ChainCase{50, 1000, 0.0015}, ChainCase{50, 10000, 0.0015}));
 
+// Discs 0.5 m apart, level, from a static hook, tied by rods or ropes, and one of `ratio` times a disc's mass
+// at the end.
+struct TiedDiscs {
+    World world;
+    std::vector<Joint> joints;
+    double length = 0;  // [m]
+    double mass = 0;  // [kg]
+
+    TiedDiscs(int links, double ratio, bool ropes)
+    {
+        constexpr double kLink = 0.5, kRadius = 0.1, kLoad = 0.3;
+        length = links * kLink;
+        Body last = addDisc(world, {0, 0}, 0.05, {.type = BodyType::Static});
+        for (int i = 1; i <= links; ++i) {
+            const double thin = kRadius * kRadius / (kLoad * kLoad);
+            Body disc = i < links ? addDisc(world, {i * kLink, 0}, kRadius)
+                                  : addDisc(world, {length, 0}, kLoad, {.density = ratio * thin});
+            JointDef tie = rodBetween(last, disc, {(i - 1) * kLink, 0}, {i * kLink, 0});
+            if (ropes)
+                std::get<DistanceJoint>(tie.kind).limits = JointLimits{.lower = 0, .upper = toReal(kLink)};
+            joints.push_back(world.createJoint(tie));
+            last = disc;
+            mass += static_cast<double>(disc.mass());
+        }
+        keepApart(world);
+    }
+};
+
+struct TiedCase {
+    int links;
+    double ratio;
+    bool ropes;
+};
+void PrintTo(const TiedCase& c, std::ostream* out)
+{
+    *out << c.links << (c.ropes ? " ropes" : " rods") << ", end load " << c.ratio << " of a disc";
+}
+
+class ChainOfTies : public testing::TestWithParam<TiedCase> {};
+
+TEST_P(ChainOfTies, DoesNotStretchWhileItSwingsFromLevel)
+{
+    TRACES("LC3", "NFR2");
+    TiedDiscs chain(GetParam().links, GetParam().ratio, GetParam().ropes);
+    double worst = 0, lowest = chain.world.energy().total(), rise = 0;
+    std::uint32_t fallbacks = 0;
+    runSeconds(chain.world, 20, 60, 4, [&] {
+        worst = std::max(worst, sumOfErrors(chain.joints) / chain.length);
+        const double energy = chain.world.energy().total();
+        lowest = std::min(lowest, energy);
+        rise = std::max(rise, energy - lowest);
+        fallbacks += chain.world.lastReport().stiffFallbacks;
+    });
+    EXPECT_LT(worst, 0.0015);
+    EXPECT_LT(rise / (chain.mass * 9.81), 0.1);  // as a lift of all of it [m]; it falls by several meters
+    EXPECT_EQ(fallbacks, 0u);
+}
+
+INSTANTIATE_TEST_SUITE_P(Joints, ChainOfTies,
+                         testing::Values(TiedCase{20, 1, false}, TiedCase{20, 100, false},
+                                         TiedCase{20, 1000, false}, TiedCase{20, 10000, false},
+                                         TiedCase{50, 1, false}, TiedCase{50, 100, false},
+                                         TiedCase{50, 1000, false}, TiedCase{50, 10000, false},
+                                         TiedCase{20, 1, true}, TiedCase{20, 100, true},
+                                         TiedCase{20, 1000, true}, TiedCase{20, 10000, true},
+                                         TiedCase{50, 1, true}, TiedCase{50, 100, true},
+                                         TiedCase{50, 1000, true}, TiedCase{50, 10000, true}));
+
+TEST(StiffJoints, ATrussOfFiveByFiveNodesBearsAThousandTimesOneOfThem)
+{
+    TRACES("LC3", "NFR2");
+    World world;
+    std::vector<Joint> joints;
+    std::vector<Body> nodes;  // column by column; the first one is a wall
+    constexpr std::size_t kSide = 5;
+    const auto tie = [&](std::size_t i, std::size_t k) {
+        if (nodes[i].type() == BodyType::Static && nodes[k].type() == BodyType::Static) return;
+        joints.push_back(
+            world.createJoint(rodBetween(nodes[i], nodes[k], nodes[i].position(), nodes[k].position())));
+    };
+    for (std::size_t i = 0; i < kSide * kSide; ++i) {
+        const bool isWall = i < kSide, isTip = i == (kSide - 1) * kSide;
+        nodes.push_back(addDisc(
+            world, {static_cast<double>(i / kSide), static_cast<double>(i % kSide)}, 0.1,
+            {.type = isWall ? BodyType::Static : BodyType::Dynamic, .density = isTip ? 1000.0 : 1.0}));
+    }
+    for (std::size_t x = 0; x < kSide; ++x)
+        for (std::size_t y = 0; y < kSide; ++y) {
+            const std::size_t self = kSide * x + y;
+            if (y + 1 < kSide) tie(self, self + 1);
+            if (x + 1 == kSide) continue;
+            tie(self, self + kSide);
+            if (y + 1 < kSide) tie(self, self + kSide + 1), tie(self + 1, self + kSide);  // both: redundant
+        }
+    keepApart(world);
+    double worst = 0;
+    std::uint32_t stiff = 0;
+    runSeconds(world, 20, 60, 4, [&] {
+        worst = std::max(worst, sumOfErrors(joints) / (kSide - 1));
+        stiff = std::max(stiff, world.lastReport().stiffGroups);
+    });
+    EXPECT_LT(worst, 1e-4);
+    EXPECT_EQ(stiff, 1u);
+    EXPECT_LT(length(nodes[(kSide - 1) * kSide].position() - Position{4, 0}), 1e-3);
+}
+
 TEST(StiffJoints, ABeamOfWeldsBearsAThousandTimesItsPart)
 {
     TRACES("LC3", "NFR2");
