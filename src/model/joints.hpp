@@ -29,6 +29,7 @@ struct JointRow {
     int stiffSteps = 0;                    // for so many steps on its group is solved at once
     double angle = 0;                      // of B against A, turns counted, reference taken off   [rad]
     bool broken = false;
+    double overTime = 0;  // for how long it has been over what breaks it   [s]
     double angleA = 0;  // of a gear: A's own, turns counted                        [rad]
     double notch = 0;  // of a ratchet: the number of the last tooth passed
     bool held[JointSlot::kLimits] = {};  // by each of its limits, at the end of the last tick

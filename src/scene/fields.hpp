@@ -327,6 +327,7 @@ void fieldsOf(const JointBreaking*, Visit visit)
     visit("force", &JointBreaking::force);
     visit("torque", &JointBreaking::torque);
     visit("error", &JointBreaking::error);
+    visit("window", &JointBreaking::window);
 }
 
 /// All but the bodies and the kind.

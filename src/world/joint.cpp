@@ -124,6 +124,7 @@ void Joint::setEnabled(bool enabled)
 {
     TAMIAS_JOINT_ROW(j);
     if (w && enabled != j.def.enabled) {
+        j.overTime = 0;
         w->impl_->disturbJoint(id_.index);
         // Gears and ratchets have turned freely meanwhile.
         const bool counts =
@@ -166,6 +167,7 @@ void Joint::setBreaking(const JointBreaking& breaking)
     TAMIAS_JOINT_ROW(j);
     if (!w || refuse(check(breaking))) return;
     w->impl_->disturbJoint(id_.index);
+    j.overTime = 0;
     j.def.breaking = breaking;
 }
 

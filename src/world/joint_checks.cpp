@@ -313,6 +313,7 @@ Complaint check(const JointBreaking& b)
         .that(isPositive(b.force), "JointBreaking.force", b.force, rule)
         .that(isPositive(b.torque), "JointBreaking.torque", b.torque, rule)
         .that(isPositive(b.error), "JointBreaking.error", b.error, rule)
+        .range("JointBreaking.window", b.window, 0, kUnbounded, "must be in [0, kUnlimited] s")
         .first();
 }
 

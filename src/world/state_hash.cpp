@@ -240,6 +240,10 @@ void add(Hasher& hash, const JointRow& j)
     std::visit([&](const auto& kind) { add(hash, kind); }, j.def.kind);
     for (const real value : {j.def.breaking.force, j.def.breaking.torque, j.def.breaking.error})
         hash.add(value);
+    if (j.def.breaking.window > 0) {
+        hash.add(j.def.breaking.window);
+        hash.add(j.overTime);
+    }
     for (const double value : {j.angle, j.angleA, j.notch}) hash.add(value);
     for (const real impulse : j.impulses) hash.add(impulse);
 }

@@ -114,6 +114,13 @@ std::uint32_t findTouches(ContactTable& contacts, const Tuning& tuning, std::vec
     return sum;
 }
 
+bool exceeds(const JointReading& reading, const JointBreaking& limit)
+{
+    const auto strength = static_cast<real>(length(toDVec2(reading.force)));
+    return !(strength <= limit.force && absolute(reading.torque) <= limit.torque &&
+             reading.error <= limit.error);
+}
+
 }  // namespace
 
 void World::Impl::breakJoints()
@@ -124,14 +131,20 @@ void World::Impl::breakJoints()
     for (const JointRows& rows : jointSystem.joints)
         if (joints.rows[rows.joint].def.breaking != JointBreaking{}) slots.push_back(rows.joint);
     std::sort(slots.begin(), slots.end());
+    const double rounding = stepTime / 1000;  // of many steps that add up to a window
     for (const std::uint32_t slot : slots) {
         JointRow& joint = joints.rows[slot];
         const JointReading reading = readJoint(joint, bodies, stepTime);
-        const JointBreaking& limit = joint.def.breaking;
-        const auto strength = static_cast<real>(length(toDVec2(reading.force)));
-        if (strength <= limit.force && absolute(reading.torque) <= limit.torque &&
-            reading.error <= limit.error)
+        const bool isOver = exceeds(reading, joint.def.breaking);
+        joint.overTime = isOver ? joint.overTime + stepTime : 0;
+        if (!isOver) continue;
+        if (joint.overTime <
+            static_cast<double>(joint.def.breaking.window) - rounding) {  // it may yet: nobody sleeps
+            bodies.beginStillness(bodies.rows[joint.bodyA]);
+            bodies.beginStillness(bodies.rows[joint.bodyB]);
             continue;
+        }
+        joint.overTime = 0;
         joint.def.enabled = false;
         joint.broken = true;
         uncoupledIsStale = true;

@@ -13,6 +13,7 @@ const Values kNoAngle = notFiniteAnd({1.1e6, -1.1e6});
 const Values kNoForce = notFiniteAnd({-1, -1e-30, 1.1e30});
 const Values kNoFrequency = notFiniteAnd({-1, -1e-30, 1.1e6});
 const Values kNoStrength = notFiniteAnd({-1, 0, 1.1e30});
+const Values kNoWindow = notFiniteAnd({-1e-6, -1, 1.1e30});
 
 // One world with two bodies that may be joined, and a joint of each kind.
 struct Joined : Everything {
@@ -274,6 +275,7 @@ TEST(BadInput, TheStrengthOfAJointIsChecked)
         {"force", kNoStrength, [](JointBreaking& b, double x) { b.force = toReal(x); }},
         {"torque", kNoStrength, [](JointBreaking& b, double x) { b.torque = toReal(x); }},
         {"error", kNoStrength, [](JointBreaking& b, double x) { b.error = toReal(x); }},
+        {"window", kNoWindow, [](JointBreaking& b, double x) { b.window = toReal(x); }},
     };
     for (const auto& entry : fields) {
         for (const double value : entry.values) {

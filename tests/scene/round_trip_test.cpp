@@ -86,7 +86,7 @@ std::unique_ptr<World> strangeWorld()
     joint.kind = RevoluteJoint{vec(0.1, 0.2), vec(-0.3, 0.4), 1.0 / 3, limits, motor, spring};
     joint.collideConnected = true;
     joint.enabled = false;
-    joint.breaking = {100, toReal(0.1), 3};
+    joint.breaking = {100, toReal(0.1), 3, toReal(0.3)};
     joint.name = "hinge";
     joint.userData = 18446744073709551615u;
     world->createJoint(joint);

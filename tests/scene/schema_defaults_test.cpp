@@ -164,7 +164,7 @@ TEST(SceneSchema, KnowsEveryFieldOfEveryDefinition)
     [[maybe_unused]] const auto& [x1, x2] = JointLimits{};
     [[maybe_unused]] const auto& [y1, y2] = JointMotor{};
     [[maybe_unused]] const auto& [z1, z2, z3] = JointSpring{};
-    [[maybe_unused]] const auto& [k1, k2, k3] = JointBreaking{};
+    [[maybe_unused]] const auto& [k1, k2, k3, k4] = JointBreaking{};
 
     const Json defs = schema()["$defs"];
     const auto count = [&](const char* name) {
@@ -196,7 +196,7 @@ TEST(SceneSchema, KnowsEveryFieldOfEveryDefinition)
     EXPECT_EQ(count("limits"), 2u);
     EXPECT_EQ(count("motor"), 2u);
     EXPECT_EQ(count("spring"), 3u);
-    EXPECT_EQ(count("breaking"), 3u);
+    EXPECT_EQ(count("breaking"), 4u);
 }
 
 TEST(SceneSchema, HasTheBuiltInScenesAndTheirRanges)

@@ -77,7 +77,7 @@ inline void write(std::ostream& out, const JointDef& def)
     out << "joint \"" << def.name << "\" kind " << def.kind.index() << " of " << def.bodyA.index << ' '
         << def.bodyB.index << " collide " << def.collideConnected << " enabled " << def.enabled
         << " breaks at " << def.breaking.force << ' ' << def.breaking.torque << ' ' << def.breaking.error
-        << " data " << def.userData << '\n';
+        << " for " << def.breaking.window << " data " << def.userData << '\n';
 }
 
 /// The world, its laws, bodies, lasting forces, shapes and joints.

@@ -493,6 +493,8 @@ private:
         def.enabled = below(8) != 0;
         if (below(4) == 0) def.breaking.force = toReal(between(1, 500));
         if (below(8) == 0) def.breaking.error = toReal(between(0.01, 1));
+        if (def.breaking != JointBreaking{})
+            def.breaking.window = toReal(def.breaking.force < 100 ? 0.05 : 0);
         if (!b.isAlive() || a == b.id() || world_.jointCount() >= kMostJoints) return;
         def.bodyA = below(2) == 0 ? a : b.id();
         def.bodyB = def.bodyA == a ? b.id() : a;

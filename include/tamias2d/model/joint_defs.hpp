@@ -226,11 +226,14 @@ using JointKind = std::variant<RevoluteJoint, DistanceJoint, PrismaticJoint, Wel
                                WheelJoint, GrooveJoint, RotaryJoint, RatchetJoint, GearJoint, RackJoint,
                                PulleyJoint, MotorJoint, FrictionJoint, FilterJoint>;
 
-/// When a joint breaks: by what it bears on average over a step, or by how far it has given way.
+/// When a joint breaks: by what it bears on average over a step, or by how far it has given way at its end.
+/// It does so at the end of the first step in which one of these has been exceeded in every step for `window`
+/// seconds, that step included; with a window of 0, at the end of the first step that exceeds one.
 struct JointBreaking {
     real force = kUnlimited;  ///< [N]     > 0
     real torque = kUnlimited;  ///< [N*m]   > 0
     real error = kUnlimited;  ///< [m]     > 0
+    real window = 0;  ///< [s]     >= 0   a shorter blow does not break it
 
     friend constexpr bool operator==(const JointBreaking&, const JointBreaking&) noexcept = default;
 };
