@@ -7,8 +7,8 @@
 
 namespace tamias2d::inline TAMIAS_PRECISION {
 
-/// A tree of bounds over boxes, neighbors in the list being taken for neighbors in space, for questions in
-/// mid-step: eight boxes a leaf, eight nodes a node, no pointers. Boxes may grow; they keep their places.
+/// A tree of bounds over boxes, for questions in mid-step: eight boxes a leaf, eight nodes a node, no
+/// pointers. Boxes may grow; they keep their places.
 class BoxTree {
 public:
     /// Takes in the boxes as they stand; `boxes` must live and keep its order as long as questions are asked.
@@ -29,9 +29,16 @@ private:
 
     std::vector<SweepBox>* boxes_ = nullptr;
     std::vector<std::uint32_t> placeOf_;  // by shape slot
-    std::vector<std::vector<Aabb>> levels_;  // the first over kFan boxes each, the top has one node
+    struct Entry {
+        float x, y;  // of twice the middle of the box: only neighborhood depends on it
+        std::uint32_t box;  // its index
+    };
+    std::vector<Entry> entries_;  // all boxes, neighbors in space beside each other
+    std::vector<std::uint32_t> leafOf_;  // by box
+    std::vector<std::vector<Aabb>> levels_;  // the first over kFan entries each, the top has one node
     std::size_t height_ = 0;  // levels in use; those above only keep their memory
 
+    void sortByPlace();
     void visit(std::size_t level, std::size_t node, const Aabb& box, std::uint32_t body,
                std::vector<std::uint32_t>& found) const;
 };

@@ -30,7 +30,7 @@ void updateBatch(std::span<Contact* const> contacts, const ShapeTable& shapes, c
         contact.swept =
             contact.atImpact || result.bends ||
             (contact.count == 0 && withinReach(paths.pairOf(contact, shapes, motions), result.startGap, dt));
-        contact.clearance = result.startGap;
+        contact.apart = result.apart;
         contact.versionA = motions.versions[contact.rowA];
         contact.versionB = motions.versions[contact.rowB];
         counts.swept += contact.swept ? 1 : 0;

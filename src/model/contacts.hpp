@@ -49,7 +49,7 @@ struct Contact {
     real pushed = 0;             // impulses of the pass that undoes overlaps   [N*s]
     real time = 0;               // of the pose of the manifold, within the tick   [s]
     bool swept = false;          // looked at again in every tick
-    real clearance = 0;          // of a swept pair: it is at least that far apart now   [m]
+    Apart apart;                 // of a swept pair: so it is apart now, or more
     bool atImpact = false;       // the manifold is that of a moment of impact
     std::uint32_t versionA = 0, versionB = 0;   // of the poses of its bodies that the manifold is for
     bool touching = false;       // at the end of the last step

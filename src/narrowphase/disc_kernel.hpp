@@ -22,6 +22,7 @@ template <class T>
 struct DiscResult {
     MaskOf<T> decided, near, bends;
     T startGap;
+    BasicVec2<T> axis;   // along which that is the gap
     BasicVec2<T> normal;
 };
 
@@ -52,6 +53,7 @@ DiscResult<T> collideDiscs(const DiscsOnWay<T>& discs)
 
     DiscResult<T> result;
     result.startGap = gaps[0];
+    result.axis = normals[0];
     result.normal = select(atEnd, normals[1], normals[0]);
     result.decided = (!close) | overlap | parting | nearing;
     result.near = close & (overlap | ((parting | nearing) & (admit >= select(atEnd, gaps[1], gaps[0]))));

@@ -4,6 +4,7 @@
 #include "narrowphase/separation.hpp"
 
 #include <cstdint>
+#include <limits>
 
 namespace tamias2d::inline TAMIAS_PRECISION {
 
@@ -22,6 +23,12 @@ struct Manifold {
     ManifoldPoint points[2];
     real time = 0;              ///< of the pose it was taken at, within the sweep   [s]
     bool atImpact = false;      ///< taken where a swept pair meets
+};
+
+/// A direction along which two shapes are apart: between them lies a strip of that width across it.
+struct Apart {
+    Vec2 axis;                                      ///< from A to B
+    real gap = -std::numeric_limits<real>::max();   ///< [m]; lowest: nothing is known
 };
 
 /// The feature of a corner of the other core, or of the `cut` end of the face (1 or 2), at a face.

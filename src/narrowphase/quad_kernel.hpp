@@ -45,6 +45,8 @@ template <class T>
 struct QuadResult {
     MaskOf<T> decided, near, bends, single;
     T startGap;
+    BasicVec2<T> axis;   // and the gap along it: Apart
+    T apart;
     BasicVec2<T> normal;
     QuadPoint<T> points[2];
 };
@@ -152,6 +154,22 @@ struct ClippedQuads {
     }
 };
 
+/// The face that separates best at both ends: Apart.
+template <class T>
+struct QuadAxis {
+    T widest{-std::numeric_limits<real>::max()}, gap = widest;
+    BasicVec2<T> axis;
+
+    void consider(T first, T last, BasicVec2<T> normal)
+    {
+        const T narrower = minimum(first, last);
+        const MaskOf<T> better = narrower > widest;
+        widest = select(better, narrower, widest);
+        gap = select(better, first, gap);
+        axis = select(better, normal, axis);
+    }
+};
+
 template <class T>
 void collideQuads(const QuadOnWay<T>& a, const QuadOnWay<T>& b, T restGap, QuadResult<T>& result)
 {
@@ -161,6 +179,12 @@ void collideQuads(const QuadOnWay<T>& a, const QuadOnWay<T>& b, T restGap, QuadR
     T fromA0[4], fromB0[4], fromA1[4], fromB1[4];
     const T startGap = distancesByFace(b0, a0, distancesByFace(a0, b0, lowest, fromA0), fromB0);
     const T endGap = distancesByFace(b1, a1, distancesByFace(a1, b1, lowest, fromA1), fromB1);
+
+    QuadAxis<T> between;
+    for (int i = 0; i < 4; ++i) between.consider(fromA0[i], fromA1[i], a0.normals[i]);
+    for (int i = 0; i < 4; ++i) between.consider(fromB0[i], fromB1[i], -b0.normals[i]);
+    result.axis = between.axis;
+    result.apart = between.gap;
 
     // Could they come near at all? A gap can change no faster than the two move.
     const BasicVec2<T> slide = (b.end.p - a.end.p) - (b.start.p - a.start.p);

@@ -83,6 +83,7 @@ void write(const QuadResult<Lanes>& lanes, int i, SweptResult& result)
 {
     result = {};
     result.startGap = lanes.startGap.v[i];
+    result.apart = {{lanes.axis.x.v[i], lanes.axis.y.v[i]}, lanes.apart.v[i]};
     result.near = lanes.near.v[i] != 0;
     if (!result.near) return;
     result.bends = lanes.bends.v[i] != 0;
@@ -103,6 +104,7 @@ void write(const DiscResult<Lanes>& lanes, int i, const PairOnWay& pair, SweptRe
 {
     result = {};
     result.startGap = lanes.startGap.v[i];
+    result.apart = {{lanes.axis.x.v[i], lanes.axis.y.v[i]}, result.startGap};
     result.near = lanes.near.v[i] != 0;
     if (!result.near) return;
     result.bends = lanes.bends.v[i] != 0;

@@ -69,6 +69,27 @@ struct Sweep {
     {
     }
 
+    // Faces that separate sharp polygons at both ends are likely to do so for longer. Of corners that touch,
+    // rounding leaves no direction between them.
+    Apart apart() const
+    {
+        const bool isExact = start.kind != Separation::Kind::Vertices ||
+                             (pair.a.isDisc() && pair.b.isDisc()) ||
+                             start.distance + radii > 8 * pair.restGap;
+        if (!byFaces) return isExact ? Apart{start.normal, start.distance} : Apart{};
+        Apart best;
+        real widest = -std::numeric_limits<real>::max();
+        const auto consider = [&](real atFirst, real atLast, Vec2 axis) {
+            const real narrower = minimum(atFirst, atLast);
+            if (narrower > widest) widest = narrower, best = {axis, atFirst};
+        };
+        const FacedCores &first = atStart.cores, &last = atEnd.cores;
+        for (int i = 0; i < first.a.faces(); ++i) consider(first.fromA[i], last.fromA[i], first.a.normals[i]);
+        for (int i = 0; i < first.b.faces(); ++i)
+            consider(first.fromB[i], last.fromB[i], -first.b.normals[i]);
+        return best;
+    }
+
     real preference() const { return real(0.1) * pair.restGap; }
 
     real gap(const PlacedPair& placed) const { return coreDistance(placed) - radii; }
@@ -135,7 +156,7 @@ struct SweptFace {
 
 // By face of one core: its distance over the sweep, and what it is worth.
 struct FaceScores {
-    real least[kMaxPolygonVertices], score[kMaxPolygonVertices];   // only those of faces are ever written
+    real least[kMaxPolygonVertices], score[kMaxPolygonVertices];  // only those of faces are ever written
 
     FaceScores(const Sweep& s, const PlacedCore& core, const FaceDistances& first, const FaceDistances& last)
     {
@@ -153,7 +174,7 @@ SweptFace bestFaceOverSweep(const Sweep& s)
 {
     const FacedCores &first = s.atStart.cores, &last = s.atEnd.cores;
     const FaceScores fromA(s, first.a, first.fromA, last.fromA), fromB(s, first.b, first.fromB, last.fromB);
-    FaceQuery best{-std::numeric_limits<real>::max(), true, 0};   // by score
+    FaceQuery best{-std::numeric_limits<real>::max(), true, 0};  // by score
     for (int i = 0; i < first.a.faces(); ++i)
         if (fromA.score[i] > best.distance) best = {fromA.score[i], true, i};
     for (int i = 0; i < first.b.faces(); ++i) {
@@ -389,6 +410,7 @@ SweptResult collideSwept(const SweptPair& pair, real from, real to)
     SweptResult result;
     if ((s.start.distance + s.end.distance - s.travel) / 2 <= s.admit) result = settle(s);
     result.startGap = s.start.distance;
+    result.apart = s.apart();
     result.bends = result.near && bendsAway(s, result.manifold);
     return result;
 }

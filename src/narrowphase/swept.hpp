@@ -38,6 +38,7 @@ struct SweptPair {
 struct SweptResult {
     bool near = false;      ///< there is a manifold
     real startGap = 0;      ///< between the surfaces at the start, or less   [m]
+    Apart apart;            ///< how the two are apart at the start
     bool exhausted = false; ///< the search for the time of impact ran out of iterations: taken as a hit
     bool bends = false;  ///< the true way bends off the manifold's normal by more than counts as overlap
     Manifold manifold;

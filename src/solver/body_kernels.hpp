@@ -44,7 +44,8 @@ struct StrayList {
 /// What is done with all bodies in a tick, several at once. Compiled for each width, as ContactKernels are,
 /// and with the same care; all widths give the same bits. Ranges may be cut in any way.
 struct BodyKernels {
-    /// Bounds on the speeds of all points in the tick that begins, in rows.ways.
+    /// How bodies go in the tick that begins: bounds on how fast their points turn, in rows.ways, and the
+    /// velocities at both its ends, in rows.spans.
     void (*boundSpeeds)(const BodyRows& bodies, const StepContext& context);
     /// Starts a tick: what the contacts carry, from rows.steady, held to what forces may do; how fast bodies
     /// may become; who leaves the box of the broad phase. Returns a bound on the speed of all points [m/s].

@@ -63,13 +63,18 @@ template <int W>
 void boundSpeeds(const BodyRows& bodies, const StepContext& context)
 {
     Motion* const motions = bodies.motions;
+    const Lane<W> h(context.h);
     eachRun<W>(bodies, [&](const auto& run) {
+        const FourLanes<W> velocity = load<W>(motions, kVelocity, run),
+                           masses = load<W>(motions, kMasses, run);
+        const FourLanes<W> flight =
+            flightOf(velocity, load<W>(motions, kSteady, run), load<W>(motions, kAcceleration, run), masses,
+                     load<W>(motions, kRotation, run), context);
         FourLanes<W> way = load<W>(bodies.rows.ways.data(), 0, run);
-        way.w = flightOf(load<W>(motions, kVelocity, run), load<W>(motions, kSteady, run),
-                         load<W>(motions, kAcceleration, run), load<W>(motions, kMasses, run),
-                         load<W>(motions, kRotation, run), context)
-                    .w;
+        way.w = masses.w * (absolute(velocity.z) + h * absolute(flight.z));
         store<W>(way, bodies.rows.ways.data(), 0, run);
+        store<W>({velocity.x, velocity.y, velocity.x + h * flight.x, velocity.y + h * flight.y},
+                 bodies.rows.spans.data(), 0, run);
     });
 }
 

@@ -27,6 +27,7 @@ public:
     }
     void load(std::uint32_t contact, const Contact& row, const MotionTable& motions,
               const TickRows& rows) override;
+    LaneView view(std::uint32_t contact) const override;
     void unload(std::uint32_t contact, Contact& row) override;
     void drop(std::uint32_t contact) override;
     void storeAll(std::vector<Contact>& rows) const override;
@@ -318,6 +319,23 @@ void ContactLanesOf<W>::load(std::uint32_t contact, const Contact& c, const Moti
         s.stepNormal[k].v[lane] = p.stepNormal;
         s.stepTangent[k].v[lane] = p.stepTangent;
     }
+}
+
+template <int W>
+LaneView ContactLanesOf<W>::view(std::uint32_t contact) const
+{
+    const std::uint32_t slot = laneOf_[contact];
+    const auto lane = static_cast<int>(slot % W);
+    const Block& b = blocks_[slot / W];
+    const Source& s = sources_[slot / W];
+    LaneView view;
+    view.normal = laneOf(b.row.normal, lane);
+    for (int k = 0; k < 2; ++k) {
+        const PointRow<Lane<W>>& p = b.row.points[k];
+        view.points[k] = {p.turnA.v[lane], p.turnB.v[lane], s.gap[k].v[lane], p.normalInverse.v[lane] > 0};
+        view.isLoaded = view.isLoaded || p.normalImpulse.v[lane] > 0;
+    }
+    return view;
 }
 
 template <int W>

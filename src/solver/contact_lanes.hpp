@@ -17,6 +17,17 @@
 
 namespace tamias2d::inline TAMIAS_PRECISION {
 
+/// What a lane says of its contact in a tick that has begun.
+struct LaneView {
+    Vec2 normal;
+    bool isLoaded = false;
+    struct Point {
+        real turnA, turnB;   ///< arm x normal   [m]
+        real gap;            ///< beyond the rest gap   [m]
+        bool yields;         ///< does an impulse at it move anything?
+    } points[2];
+};
+
 /// The plain contacts of a step, several side by side: no two contacts of one block share a body that moves.
 /// While a contact is in a lane, its impulses and sums are there and those of the ContactTable are of before.
 ///
@@ -43,6 +54,8 @@ public:
     virtual void loadMarked(const std::vector<std::uint8_t>& marks, std::uint8_t mark,
                             const std::vector<Contact>& contacts, const MotionTable& motions,
                             const TickRows& rows) = 0;
+    /// Looks at a contact that is in its lane.
+    virtual LaneView view(std::uint32_t contact) const = 0;
     /// Gives impulses and sums back, and takes the contact out of its lane.
     virtual void unload(std::uint32_t contact, Contact& row) = 0;
     /// Takes the contact out of its lane; what the table has of it is newer.

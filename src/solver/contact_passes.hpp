@@ -48,7 +48,16 @@ public:
     /// Contacts that an impact may end in this tick. No body has a point that is faster than `fastest` [m/s].
     const std::vector<std::uint32_t>& approaching(const TickRows& rows, const StepContext& context,
                                                   real fastest);
-    /// Before an impact acts on or looks at a contact: prepared in the table, and loose for the tick.
+    /// Is the contact in a lane now, is it in a lane or loose? What is neither has no points.
+    bool isInLane(std::uint32_t contact) const { return contact < inLane_.size() && inLane_[contact] != 0; }
+    bool holds(std::uint32_t contact) const
+    {
+        return isInLane(contact) || (contact < isLoose_.size() && isLoose_[contact] != 0);
+    }
+    /// Looks at one that is in its lane.
+    LaneView view(std::uint32_t contact) const { return lanes_->view(contact); }
+    /// Before an impact acts on a contact or its manifold changes: prepared in the table, and loose for the
+    /// tick.
     void loosen(std::uint32_t contact, ContactTable& contacts, const MotionTable& motions);
 
     /// All passes of a tick, over rows.velocities. One pass settles what rests. An island whose speeds it

@@ -56,7 +56,7 @@ void finalizeContact(Contact& c, const Motion& a, const Motion& b, const ShapeTa
     if (c.swept) {
         const SweptPair pair = sweptPairOf(c, shapes, a, b, context.invH);
         SweptResult nearest;
-        if (c.clearance <= 3 * c.restGap) nearest = nearestAt(pair, 0);
+        if (c.apart.gap <= 3 * c.restGap) nearest = nearestAt(pair, 0);
         adoptManifold(c, nearest, real(0.3) * maximum(pair.a.size, pair.b.size));
     }
     prepareContact(c, a, b);

@@ -13,10 +13,22 @@ Flight flightOf(const Motion& m, real invH)
     Flight flight;
     flight.velocity = m.velocity;
     flight.spin = m.spin;
+    flight.extent = m.extent;
     if (!m.moves()) return flight;
     flight.acceleration = expectedAcceleration(m, invH);
     flight.spinRate = expectedSpinRate(m, invH);
     return flight;
+}
+
+Trajectory pathOf(const Motion& m, const Flight& f, Position origin, real invH)
+{
+    Trajectory path = predictedPath(m, origin, invH);
+    path.position += f.offset;
+    path.angle += static_cast<double>(f.turned);
+    if (f.turned != 0) path.rotation = Rot::ofAngle(path.angle);
+    path.velocity = f.velocity;
+    path.spin = f.spin;
+    return path;
 }
 
 Moment momentAt(const Contact& contact, const ManifoldPoint& anchor, const FlyingPair& pair, real t)
@@ -39,33 +51,55 @@ Moment momentAt(const Contact& contact, const ManifoldPoint& anchor, const Flyin
     return moment;
 }
 
+bool isPlainPoint(const Contact& contact, int k)
+{
+    return !contact.atImpact && !normalTurns(contact, contact.points[k].anchor);
+}
+
+ImpactPoint turnedImpactPoint(const Contact& contact, int k, const FlyingPair& pair)
+{
+    const real t = contact.atImpact ? contact.time : pair.start();
+    const Moment at = momentAt(contact, contact.points[k].anchor, pair, t);
+    ImpactPoint point{at.normal, cross(at.place.armA, at.normal), cross(at.place.armB, at.normal),
+                      at.place.gap};
+    point.gap -= dot(point.normal, pair.flightB.shiftAt(t) - pair.flightA.shiftAt(t)) +
+                 point.turnB * pair.flightB.turnAt(t) - point.turnA * pair.flightA.turnAt(t);
+    return point;
+}
+
 ImpactPoint impactPoint(const Contact& contact, int k, const FlyingPair& pair)
 {
     const ContactPointRow& row = contact.points[k];
-    const bool plain = !contact.atImpact && !normalTurns(contact, row.anchor);
-    if (plain) return {contact.normal, row.armA, row.armB, row.gap};
-
-    const real t = contact.atImpact ? contact.time : pair.start();
-    const Moment at = momentAt(contact, row.anchor, pair, t);
-    ImpactPoint point{at.normal, at.place.armA, at.place.armB, at.place.gap};
-    point.gap -= dot(point.normal, pair.flightB.shiftAt(t) - pair.flightA.shiftAt(t)) +
-                 cross(point.armB, point.normal) * pair.flightB.turnAt(t) -
-                 cross(point.armA, point.normal) * pair.flightA.turnAt(t);
+    const Vec2 n = contact.normal;
+    ImpactPoint point = isPlainPoint(contact, k)
+                            ? ImpactPoint{n, cross(row.armA, n), cross(row.armB, n), row.gap}
+                            : turnedImpactPoint(contact, k, pair);
+    point.yields = row.normalMass > 0;
     return point;
 }
 
 namespace {
 
+// How the gap of a point changes: at the start of the tick [m/s], and how that changes [m/s^2].
+struct Closing {
+    real speed, push;
+
+    Closing(const ImpactPoint& p, const Flight& a, const Flight& b)
+        : speed(dot(p.normal, b.velocity - a.velocity) + p.turnB * b.spin - p.turnA * a.spin),
+          push(dot(p.normal, b.acceleration - a.acceleration) + p.turnB * b.spinRate - p.turnA * a.spinRate)
+    {
+    }
+    real at(real t) const { return speed + push * t; }
+};
+
 // When the point's gap, a parabola in time, first reaches zero while closing fast enough.
-real parabolaTime(const Contact& c, int k, const ImpactPoint& point, const FlyingPair& pair, real threshold,
-                  const StepContext& context)
+real parabolaTime(const Contact& c, int k, const ImpactPoint& point, const Closing& closing,
+                  const FlyingPair& pair, real threshold, const StepContext& context)
 {
     const Flight &fa = pair.flightA, &fb = pair.flightB;
     const Vec2 n = point.normal;
-    const real turnA = cross(point.armA, n), turnB = cross(point.armB, n);
-    const real offset = dot(n, fb.offset - fa.offset) + turnB * fb.turned - turnA * fa.turned;
-    const real speed = dot(n, fb.velocity - fa.velocity) + turnB * fb.spin - turnA * fa.spin;
-    const real push = dot(n, fb.acceleration - fa.acceleration) + turnB * fb.spinRate - turnA * fa.spinRate;
+    const real offset = dot(n, fb.offset - fa.offset) + point.turnB * fb.turned - point.turnA * fa.turned;
+    const auto [speed, push] = closing;
 
     // Anchors of a turning body run on circles: counts for the time, not for the speed.
     real bend = push;
@@ -80,22 +114,21 @@ real parabolaTime(const Contact& c, int k, const ImpactPoint& point, const Flyin
     const real start = pair.start();
     const real before = normalTurns(c, c.points[k].anchor) ? push : bend;
     const real gap = point.gap + offset + speed * start + before * start * start / 2;
-    const real closing = speed + before * start;
+    const real rate = speed + before * start;
     real t = start;
     if (gap > 0) {
-        const real discriminant = closing * closing - 2 * bend * gap;
+        const real discriminant = rate * rate - 2 * bend * gap;
         if (discriminant < 0) return kNever;
         const real root = std::sqrt(discriminant);
-        if (closing < 0)
-            t = start + 2 * gap / (root - closing);
+        if (rate < 0)
+            t = start + 2 * gap / (root - rate);
         else if (bend < 0)
-            t = start + (-closing - root) / bend;
+            t = start + (-rate - root) / bend;
         else
             return kNever;
         if (!(t <= context.h)) return kNever;
     }
-    const real approach = speed + push * t;
-    return approach < -threshold ? t : kNever;
+    return closing.at(t) < -threshold ? t : kNever;
 }
 
 // The time at which the true gap of the turning bodies closes, by Newton's method; kNever if by their
@@ -116,11 +149,43 @@ real refined(const Contact& c, const ManifoldPoint& anchor, const FlyingPair& pa
 
 }  // namespace
 
-real travelWithin(const Flight& a, const Motion& ma, const Flight& b, const Motion& mb, real h)
+namespace {
+
+// How far B went against A along an axis by time `t`, and by how much both turned.
+struct Went {
+    real along, turned, rounding;
+
+    Went(Vec2 axis, const Flight& a, const Flight& b, real t)
+    {
+        const Vec2 shift = b.shiftAt(t) - a.shiftAt(t);
+        along = dot(axis, shift);
+        turned = real(1.001) * (a.extent * absolute(a.turnAt(t)) + b.extent * absolute(b.turnAt(t)));
+        rounding = real(0.001) * (absolute(shift.x) + absolute(shift.y));
+    }
+};
+
+}  // namespace
+
+Apart apartAt(real start, const Apart& apart, const Flight& a, const Flight& b)
 {
-    const real turn = ma.extent * (absolute(a.spin) + h * absolute(a.spinRate)) +
-                      mb.extent * (absolute(b.spin) + h * absolute(b.spinRate));
-    return h * (length(b.velocity - a.velocity) + h * length(b.acceleration - a.acceleration) + turn);
+    const Went went(apart.axis, a, b, start);
+    return {apart.axis, apart.gap + went.along - went.turned - went.rounding};
+}
+
+Apart apartBefore(real start, const Apart& apart, const Flight& a, const Flight& b)
+{
+    const Went went(apart.axis, a, b, start);
+    return {apart.axis, apart.gap - went.along - went.turned - went.rounding};
+}
+
+real approachWithin(Vec2 axis, const Flight& a, const Flight& b, real from, real to)
+{
+    const real span = to - from;
+    const real first = dot(axis, b.velocity - a.velocity), rate = dot(axis, b.acceleration - a.acceleration);
+    const real slowest = minimum(first + from * rate, first + to * rate);
+    const real turning = a.extent * (absolute(a.spin) + to * absolute(a.spinRate)) +
+                         b.extent * (absolute(b.spin) + to * absolute(b.spinRate));
+    return real(1.001) * span * (maximum(-slowest, real(0)) + turning);
 }
 
 real slowestInCrowd(const Contact& c, const StepContext& context)
@@ -129,19 +194,32 @@ real slowestInCrowd(const Contact& c, const StepContext& context)
     return c.crowded && !(c.restitution > 0) ? kSlow * c.restGap * context.invH : real(0);
 }
 
+namespace {
+
+// What impacts of this tick have left of an approach is not the work of steady forces; but there is an end to
+// it, as friction at an impact may turn the bodies on towards each other by ever less.
+real slowestImpact(const Contact& c, const FlyingPair& pair, const StepContext& context)
+{
+    const real threshold = impactThreshold(c, pair.a, pair.b, context);
+    return c.impacts > 0 ? maximum(threshold / 3, real(1e-4) * c.fastestImpact) : threshold;
+}
+
+}  // namespace
+
 Impact nextImpact(const Contact& c, const ImpactPoint points[2], const FlyingPair& pair,
                   const StepContext& context)
 {
     Impact next;
     if (c.impacts >= mostImpacts(c, context)) return next;
-    // What impacts of this tick have left of an approach is not the work of steady forces; but there is an
-    // end to it, as friction at an impact may turn the bodies on towards each other by ever less.
-    real threshold = impactThreshold(c, pair.a, pair.b, context);
-    if (c.impacts > 0) threshold = maximum(threshold / 3, real(1e-4) * c.fastestImpact);
-    threshold = maximum(threshold, slowestInCrowd(c, context));
+    const real slowest = slowestInCrowd(c, context);
+    real threshold = -1;
     for (int k = 0; k < c.count; ++k) {
-        if (!(c.points[k].normalMass > 0)) continue;
-        real t = parabolaTime(c, k, points[k], pair, threshold, context);
+        if (!points[k].yields) continue;
+        // Rates are linear in time: where neither end is fast enough, nothing between them is.
+        const Closing closing(points[k], pair.flightA, pair.flightB);
+        if (!(closing.at(pair.start()) < -slowest) && !(closing.at(context.h) < -slowest)) continue;
+        if (threshold < 0) threshold = maximum(slowestImpact(c, pair, context), slowest);
+        real t = parabolaTime(c, k, points[k], closing, pair, threshold, context);
         if (t == kNever) continue;
         t = refined(c, c.points[k].anchor, pair, t, threshold, context.h);
         if (t < next.time) next = {t, k};

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "contacts/rows.hpp"
+#include "narrowphase/swept.hpp"
 
 #include <limits>
 
@@ -19,12 +20,16 @@ struct Flight {
     Vec2 acceleration;    ///< [m/s^2]
     real spinRate = 0;    ///< [rad/s^2]
     real clock = 0;       ///< time of its last impact within the tick   [s]
+    real extent = 0;      ///< farthest point of its shapes from the center   [m]
 
     Vec2 shiftAt(real t) const { return offset + t * velocity + (t * t / 2) * acceleration; }
     real turnAt(real t) const { return turned + t * spin + t * t / 2 * spinRate; }
 };
 
 Flight flightOf(const Motion& m, real invH);
+
+/// The way of a flying body, seen from `origin`.
+Trajectory pathOf(const Motion& m, const Flight& flight, Position origin, real invH);
 
 /// The two bodies of a contact on their ways.
 struct FlyingPair {
@@ -54,13 +59,19 @@ Moment momentAt(const Contact& contact, const ManifoldPoint& anchor, const Flyin
 /// What the search for impacts needs to know of a point. The gap is taken back to the start of the tick.
 struct ImpactPoint {
     Vec2 normal;
-    Vec2 armA, armB;
-    real gap = 0;
+    real turnA = 0, turnB = 0;   ///< arm x normal   [m]
+    real gap = 0;                ///< beyond the rest gap   [m]
+    bool yields = false;         ///< does an impulse at it move anything?
 };
 
-/// Arms and gap of a point for the search. The manifold of an impact is linearized about its own
-/// pose: a fast spinner has turned far from the start of the tick by then.
+/// Is a prepared point of the contact all that the search asks for? The manifold of an impact is linearized
+/// about its own pose instead: a fast spinner has turned far from the start of the tick by then.
+bool isPlainPoint(const Contact& contact, int point);
+
+/// A point for the search, of a contact that is prepared.
 ImpactPoint impactPoint(const Contact& contact, int point, const FlyingPair& pair);
+/// The same of a point that is not plain, of a contact that need not be; `yields` is left out.
+ImpactPoint turnedImpactPoint(const Contact& contact, int point, const FlyingPair& pair);
 
 /// A point of a contact and when it is hit.
 struct Impact {
@@ -68,8 +79,12 @@ struct Impact {
     int point = 0;
 };
 
-/// A bound on how far any two points of two bodies move against each other within `h`.   [m]
-real travelWithin(const Flight& a, const Motion& ma, const Flight& b, const Motion& mb, real h);
+/// How two bodies are apart at `start`, on their ways, if it was `apart` at the start of the tick; at least.
+Apart apartAt(real start, const Apart& apart, const Flight& a, const Flight& b);
+/// The reverse: how they were apart at the start of the tick if it is `apart` at `start`; at least.
+Apart apartBefore(real start, const Apart& apart, const Flight& a, const Flight& b);
+/// A bound on how far any two points of two bodies near each other along `axis` between two times.   [m]
+real approachWithin(Vec2 axis, const Flight& a, const Flight& b, real from, real to);
 
 /// In a crowd whatever stops slowly and for good stops many others with it, at no one time: below this speed
 /// the passes do it, all at once [ADR21].   [m/s]

@@ -57,31 +57,41 @@ private:
     std::vector<std::uint32_t> next_;   // by link
 };
 
+/// What is asked of a contact whenever a body of it is turned from its way, all of them side by side.
+struct PairRow {
+    std::uint32_t rowA, rowB;   // of the MotionTable
+    Apart apart;  // at the start of the tick, at least; of those that are not swept nothing is known
+    real near;  // gap from which on it gets no manifold, and a little for rounding   [m]
+    bool swept;  // as that of Contact
+    bool placed;  // have its points been placed in this tick?
+    std::uint32_t version;  // of its motion in this tick
+};
+
 /// What the impact stage works with; it keeps its memory from step to step.
 struct ImpactScratch {
-    ExpectedPaths paths;                     // of bodies within the tick, before any impact
-    std::vector<std::uint8_t> verdicts;      // on swept contacts, see resweepForTick
-    std::vector<Contact*> again;             // those whose ways are to be looked at
-    std::vector<std::uint32_t> exhausted;    // searches that ran out of iterations, by chunk
-    std::vector<Flight> flights;             // by row, of those that
-    std::vector<std::uint8_t> flies;         // by row: has its flight through this tick been asked for?
-    std::vector<std::uint32_t> strays;       // rows that leave their boxes in this tick
-    bool kicked = false;                     // has an impact acted in this tick?
+    ExpectedPaths paths;  // of bodies within the tick, before any impact
+    std::vector<std::uint8_t> verdicts;  // on swept contacts, see resweepForTick
+    std::vector<std::uint32_t> again;  // those whose ways are to be looked at
+    std::vector<PairRow> pairs;  // by contact
+    std::vector<std::uint32_t> exhausted;  // searches that ran out of iterations, by chunk
+    std::vector<Flight> flights;  // by row, of those that
+    std::vector<std::uint8_t> flies;  // by row: has its flight through this tick been asked for?
+    std::vector<std::uint32_t> strays;  // rows that leave their boxes in this tick
+    bool kicked = false;  // has an impact acted in this tick?
     struct Start {
         real fastest;
         std::size_t strays;
     };
-    std::vector<Start> starts;               // of a tick, by chunk of the bodies
-    real fastest = 0;                        // no point of any body is faster in the tick   [m/s]
-    std::vector<ImpactPoint> points;         // two for each contact
-    std::vector<bool> placed;                // by contact: have its points been placed?
-    std::vector<std::uint32_t> versions;     // by contact
-    bool connected = false;                  // have the chains been made in this step?
-    ContactChains chains;                    // of bodies that move; made at the first impact of a step
-    std::vector<std::uint32_t> swept;        // contacts that are looked at again in every tick
-    BoxTree tree;                            // over the boxes of the step; made when a body leaves its own
-    std::vector<std::uint32_t> found;        // boxes
-    std::vector<DueImpact> queue;            // a heap
+    std::vector<Start> starts;  // of a tick, by chunk of the bodies
+    real fastest = 0;  // no point of any body is faster in the tick   [m/s]
+    std::vector<ImpactPoint> points;  // two for each contact
+    bool connected = false;  // have the chains been made in this step?
+    ContactChains chains;  // of bodies that move; made at the first impact of a step
+    std::vector<std::uint32_t> swept;  // contacts that are looked at again in every tick
+    BoxTree tree;  // over the boxes of the step; made when a body leaves its own
+    std::vector<std::uint32_t> found;  // boxes
+    std::vector<std::uint32_t> met;  // contacts that have come in and meet
+    std::vector<DueImpact> queue;  // a heap
 };
 
 }  // namespace tamias2d::inline TAMIAS_PRECISION

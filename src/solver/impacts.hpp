@@ -9,16 +9,7 @@ namespace tamias2d::inline TAMIAS_PRECISION {
 /// Contacts must be prepared at the present poses. docs/theory/contacts.md, section 3.
 void applyImpacts(ImpactStage& stage, const StepContext& context, int tick);
 
-/// Takes from the clearance of a swept pair what its bodies went in a tick.
-void keepClearance(Contact& contact, const std::vector<Way>& ways);
-
-/// What holds for all ticks of a step.
-void startSweeps(ImpactStage& stage, const StepContext& context);
-
 /// Starts tick number `tick` of the step for all bodies: see BodyKernels.
 void startTick(ImpactStage& stage, const StepContext& context, int tick);
-
-/// Looks again at the swept pairs, over this tick alone.
-void resweepForTick(ImpactStage& stage, const StepContext& context);
 
 }  // namespace tamias2d::inline TAMIAS_PRECISION

@@ -29,7 +29,8 @@ void enter(ImpactStage& stage, std::uint32_t body, const StepContext& context)
     lanes.ways.resize(rows.size());
     lanes.poses.push_back(poseRow(rows.back(), rows.back().center));
     lanes.velocities.push_back(laneRow(velocityOf(rows.back())));
-    for (std::vector<LaneRow>* each : {&lanes.steady, &lanes.expected, &lanes.outside, &lanes.pushes})
+    for (std::vector<LaneRow>* each :
+         {&lanes.steady, &lanes.expected, &lanes.outside, &lanes.pushes, &lanes.spans})
         each->resize(rows.size());
 }
 

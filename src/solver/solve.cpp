@@ -7,6 +7,7 @@
 #include "solver/calm.hpp"
 #include "solver/integrate.hpp"
 #include "solver/joint_passes.hpp"
+#include "solver/tick_sweeps.hpp"
 
 #include <atomic>
 
@@ -231,7 +232,7 @@ SolverCounts solve(SolverStage& stage, const StepContext& context)
     }
     if (!stage.system.empty()) releaseGuard(stage.world.bodies, rows);
     scratch.passes.end(stage.contacts);
-    for (const std::uint32_t i : scratch.impacts.swept) keepClearance(stage.contacts.rows[i], lanes.ways);
+    endSweeps(impacts);
     return counts;
 }
 

@@ -30,7 +30,7 @@ struct ImpactKick {
 struct alignas(kRowBytes) Way {
     Vec2 shift;
     real turn = 0;
-    real reach = 0;   // bound on the speed of any point of it in the tick that follows   [m/s]
+    real turning = 0; // at most how fast any point of it turns in the tick that follows   [m/s]
 };
 
 /// The way that the box of a body in the broad phase was made for, and how far the body may leave it.
@@ -64,6 +64,7 @@ struct TickRows {
     std::vector<ImpactKick> kicks;
     std::vector<PredictedWay> predicted;  // of the step
     std::vector<Way> ways;  // in the last tick
+    std::vector<LaneRow> spans;  // velocities as a tick begins and, if nothing happens, as it ends   [m/s]
 };
 
 inline LaneRow laneRow(const BodyMotion<real>& motion, real w = 0)

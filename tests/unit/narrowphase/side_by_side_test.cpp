@@ -35,6 +35,8 @@ std::string difference(const SweptResult& a, const SweptResult& b)
     };
     check(a.near == b.near, "near");
     check(sameBits(a.startGap, b.startGap), "startGap");
+    check(sameBits(a.apart.axis.x, b.apart.axis.x) && sameBits(a.apart.axis.y, b.apart.axis.y), "axis");
+    check(sameBits(a.apart.gap, b.apart.gap), "gap along the axis");
     check(a.exhausted == b.exhausted, "exhausted");
     check(a.bends == b.bends, "bends");
     if (!a.near || !b.near) return text;

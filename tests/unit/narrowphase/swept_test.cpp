@@ -83,6 +83,39 @@ TEST(Swept, NoPairThatMeetsIsMissed)
     EXPECT_GT(met, 300);
 }
 
+// Against projections of all corners on the axis.
+TEST(Swept, TheStripBetweenTwoShapesIsEmpty)
+{
+    TRACES("T5", "R7");
+    std::mt19937 random(13);
+    std::uniform_real_distribution<double> place(-1, 1), turn(0, kTwoPi), speed(-100, 100), spin(-50, 50);
+    const double tolerance = std::is_same_v<real, double> ? 1e-12 : 2e-6;
+    int known = 0, apart = 0;
+    for (int trial = 0; trial < 20000; ++trial) {
+        const Convex a = convexOf(kShapes[random() % 5]), b = convexOf(kShapes[random() % 5]);
+        const SweptPair pair{
+            a, b,
+            path(place(random), place(random), turn(random), speed(random), speed(random), spin(random)),
+            path(place(random), place(random), turn(random), speed(random), speed(random), spin(random)),
+            real(1e-3)};
+        const Apart strip = collideSwept(pair, 0, real(1) / 240).apart;
+        if (strip.gap < -100) continue;
+        ++known;
+        apart += strip.gap > 0 ? 1 : 0;
+        const auto along = [&strip](const Trajectory& way, Vec2 corner) {
+            return static_cast<double>(dot(strip.axis, way.position + rotate(way.rotation, corner)));
+        };
+        double ofA = -1e9, ofB = 1e9;
+        for (int i = 0; i < a.count; ++i) ofA = std::max(ofA, along(pair.pathA, a.vertices[i]));
+        for (int i = 0; i < b.count; ++i) ofB = std::min(ofB, along(pair.pathB, b.vertices[i]));
+        const double gap = ofB - ofA - static_cast<double>(a.radius + b.radius);
+        EXPECT_NEAR(length(strip.axis), 1, tolerance);
+        EXPECT_GE(gap, static_cast<double>(strip.gap) - tolerance) << "trial " << trial;
+    }
+    EXPECT_GT(known, 15000);
+    EXPECT_GT(apart, 5000);
+}
+
 TEST(Swept, ABoxGlidingOverASeamNeverSeesTheSideOfTheNextTile)
 {
     TRACES("LC1");

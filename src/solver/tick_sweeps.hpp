@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "solver/impact_stage.hpp"
+
+namespace tamias2d::inline TAMIAS_PRECISION {
+
+/// What the impact stage asks of a contact.
+PairRow pairRowOf(const Contact& contact);
+
+/// How far a body may leave the way that its boxes were made for: they hold a little more than it. `width` is
+/// that of its narrowest shape.   [m]
+real slackOf(real width, const StepContext& context);
+
+/// What holds for all ticks of a step.
+void startSweeps(ImpactStage& stage, const StepContext& context);
+
+/// Looks again at the swept pairs, over this tick alone: at those that may meet in it, by how they are apart.
+/// docs/theory/contacts.md, section 3.
+void resweepForTick(ImpactStage& stage, const StepContext& context);
+
+/// Gives back how pairs are apart at the end of the step.
+void endSweeps(ImpactStage& stage);
+
+}  // namespace tamias2d::inline TAMIAS_PRECISION
