@@ -122,6 +122,8 @@ void ContactLanesOf<W>::build(const ContactTable& contacts, const MotionTable& m
     sortByKind(contacts);
     laneOf_.resize(contacts.rows.size());
     std::fill(laneOf_.begin(), laneOf_.end(), kNone);
+    blocks_.reserve(slots_.capacity() / W);
+    sources_.reserve(blocks_.capacity());
     blocks_.resize(slots_.size() / W);
     sources_.resize(blocks_.size());
     parallel_.forEach(blocks_.size(), kGrain, [&](const Chunk& chunk) {
@@ -187,6 +189,7 @@ void ContactLanesOf<W>::sortByKind(const ContactTable& contacts)
     });
 
     slots_.clear();
+    slots_.reserve(contacts.rows.capacity() + 2 * W * (colorEnds_.size() + 1));
     colorEnds_.clear();
     std::size_t at = 0;
     // The last color is visited in order, and what is found in mid-step has no lane either.
@@ -222,6 +225,7 @@ void ContactLanesOf<W>::prepare(TickRows& rows, const StepContext& context, std:
     solved_ = false;
     const std::size_t before = open.size();
     std::size_t end = 0;
+    open.reserve(before + slots_.capacity());
     open.resize(before + W * blocks_.size());
     for (int color = 0; color < colors(); ++color) {
         counts_.assign(Parallel::chunksOf(countOf(color), kGrain), 0);

@@ -66,6 +66,13 @@ void startSweeps(ImpactStage& stage, const StepContext& context)
     scratch.tree.clear();  // the boxes are new
     scratch.connected = false;
     const std::vector<Contact>& contacts = stage.contacts.rows;
+    // With room for the contacts that are found in mid-step.
+    const std::size_t room = contacts.capacity();
+    stage.contacts.order.reserve(room);
+    scratch.pairs.reserve(room);
+    scratch.points.reserve(2 * room);
+    scratch.swept.reserve(room);
+    scratch.found.reserve(stage.boxes.size());
     scratch.pairs.resize(contacts.size());
     stage.parallel.forEach(contacts.size(), kContactGrain, [&](const Chunk& chunk) {
         for (std::size_t i = chunk.begin; i < chunk.end; ++i) scratch.pairs[i] = pairRowOf(contacts[i]);

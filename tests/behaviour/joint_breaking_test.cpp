@@ -190,10 +190,10 @@ struct Pulled : Held {
         joint.setBreaking({.force = toReal(kWeight + 3), .window = toReal(0.2)});
         runSeconds(world, 0.5);
     }
-    void pull(int steps, double force)
+    void pull(int steps, double newtons)
     {
         for (int i = 0; i < steps && !joint.isBroken(); ++i) {
-            weight.applyForceToCenter(vec(0, -force));
+            weight.applyForceToCenter(vec(0, -newtons));
             world.step();
             pulled += joint.isBroken() ? 0 : 1;
         }
