@@ -35,12 +35,12 @@ struct ReferencePoses {
     struct Row {
         ReferencePose ofBoxes, ofManifolds;
     };
-    std::vector<Row> rows;   // by body slot
+    std::vector<Row> rows;   // by number of the MoverRow: what has none has never been in a step
 
     /// Something else about the body has changed: nothing is kept.
-    void forget(std::uint32_t body)
+    void forget(std::uint32_t mover)
     {
-        if (body < rows.size()) rows[body].ofBoxes.room = rows[body].ofManifolds.room = -1;
+        if (mover < rows.size()) rows[mover].ofBoxes.room = rows[mover].ofManifolds.room = -1;
     }
     void forgetAll()
     {

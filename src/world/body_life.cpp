@@ -66,6 +66,7 @@ void World::Impl::destroyBody(BodyId body)
         lawIds.giveBack(placed.id.index);
         return true;
     });
+    references.forget(row(body).mover);
     bodies.clear(row(body));
     bodies.ids.giveBack(body.index);
 }
@@ -78,7 +79,7 @@ ShapeId World::Impl::createShape(BodyId body, const ShapeDef& def)
     shapes.rows[shape.index].body = body.index;
     shapes.rows[shape.index].userData = def.userData;
     shapes.setForm(shape.index, def.geometry, def.offset, def.angle, b.localCenter);
-    references.forget(body.index);
+    references.forget(b.mover);
     pairsAreCurrent = false;
     shapes.setSurface(shape.index, {def.density, def.material, def.filter});
     shapes.link(b.shapes, shape.index);
@@ -147,7 +148,7 @@ void World::Impl::rebuildConvex(std::uint32_t slot)
     const ShapeForm& form = shapes.form(slot);
     shapes.setForm(slot, form.geometry, form.offset, form.angle,
                    bodies.rows[shapes.rows[slot].body].localCenter);
-    references.forget(shapes.rows[slot].body);
+    references.forget(bodies.rows[shapes.rows[slot].body].mover);
     pairsAreCurrent = false;
 }
 

@@ -45,7 +45,7 @@ bool World::Impl::sweepBody(std::size_t row, const StepContext& context, SweepBo
 {
     const Motion& m = motions.rows[row];
     const ShapeList& own = bodies.rows[m.body].shapes;
-    ReferencePoses::Row& known = references.rows[m.body];
+    ReferencePoses::Row& known = references.rows[bodies.rows[m.body].mover];
     const real dt = static_cast<real>(context.dt), travel = travelOf(m, context);
     if (!known.ofManifolds.holds(m, travel))
         known.ofManifolds.renew(m, manifoldRoom(context) * widthOf(m.body));
@@ -77,7 +77,9 @@ bool World::Impl::sweepBody(std::size_t row, const StepContext& context, SweepBo
 void World::Impl::sweepStill(std::size_t row, const StepContext& context)
 {
     const Motion& m = motions.rows[row];
-    ReferencePose& pose = references.rows[m.body].ofManifolds;
+    bodies.moverFor(bodies.rows[m.body]);  // a ground that is met for the first time has none yet
+    references.rows.resize(bodies.movers.slots());
+    ReferencePose& pose = references.rows[bodies.rows[m.body].mover].ofManifolds;
     if (!pose.holds(m, travelOf(m, context))) pose.renew(m, manifoldRoom(context) * widthOf(m.body));
     motions.versions[row] = pose.version;
     motions.origins[row] = pose.center;
@@ -87,7 +89,7 @@ void World::Impl::sweepStill(std::size_t row, const StepContext& context)
 bool World::Impl::sweepBodies(const StepContext& context)
 {
     constexpr std::size_t kGrain = 64;
-    references.rows.resize(bodies.rows.size());
+    references.rows.resize(bodies.movers.slots());
     motions.versions.resize(motions.rows.size());
     motions.origins.resize(motions.rows.size());
 
