@@ -73,7 +73,7 @@ struct BodyRow {
     }
 };
 
-/// What bodies that may move have beside it; all others are as here.
+/// What bodies that may move have beside it, and grounds that these have met; all others are as here.
 struct MoverRow {
     // Before the last step, for interpolation. docs/theory/integration.md
     Position previousCenter;           // [m]

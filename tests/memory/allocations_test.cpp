@@ -64,8 +64,8 @@ TEST(Allocations, NoneIsMadeInAStepOfAWarmPile)
     World world(def);
     addGround(world);
     addWalls(world, {-6, 0}, {6, 60});
-    // It stirs the pile and crushes nothing against the ground, as there is room for the largest of them below
-    // it: what is squeezed out flies as nothing else did.
+    // It stirs the pile and crushes nothing against the ground, as there is room for the largest of them
+    // below it: what is squeezed out flies as nothing else did.
     addBox(world, {0, 3.5}, 4.8, 0.4, {.type = BodyType::Kinematic, .spin = 0.5});
     Random random(1);
     std::vector<Body> bodies;
