@@ -8,7 +8,7 @@
 namespace tamias2d::inline TAMIAS_PRECISION {
 namespace {
 
-void add(Hasher& hash, Vec2 v)
+void addBits(Hasher& hash, Vec2 v)
 {
     hash.add(v.x);
     hash.add(v.y);
@@ -38,19 +38,19 @@ void addBits(Hasher& hash, const Geometry& geometry)
 {
     hash.add(std::uint64_t{geometry.index()});
     if (const auto* circle = std::get_if<Circle>(&geometry)) {
-        add(hash, circle->center);
+        addBits(hash, circle->center);
         hash.add(circle->radius);
     } else if (const auto* capsule = std::get_if<Capsule>(&geometry)) {
-        add(hash, capsule->a);
-        add(hash, capsule->b);
+        addBits(hash, capsule->a);
+        addBits(hash, capsule->b);
         hash.add(capsule->radius);
     } else if (const auto* segment = std::get_if<Segment>(&geometry)) {
-        add(hash, segment->a);
-        add(hash, segment->b);
+        addBits(hash, segment->a);
+        addBits(hash, segment->b);
         hash.add(segment->radius);
     } else if (const auto* polygon = std::get_if<Polygon>(&geometry)) {
         hash.add(static_cast<std::uint64_t>(polygon->count));
-        for (const Vec2 v : polygon->points()) add(hash, v);
+        for (const Vec2 v : polygon->points()) addBits(hash, v);
         hash.add(polygon->radius);
     }
 }
