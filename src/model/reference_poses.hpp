@@ -15,6 +15,7 @@ struct ReferencePose {
     /// Does it stay near enough, if none of its points goes farther than `travel` [m] from where it is?
     bool holds(const Motion& m, real travel) const
     {
+        if (!(travel <= room)) return false;
         const double turn = absolute(m.angle - angle), least = minimum(turn, kTwoPi - turn);
         const double off = absolute(m.center.x - center.x) + absolute(m.center.y - center.y) +
                            static_cast<double>(m.extent) * least + static_cast<double>(travel);

@@ -47,8 +47,9 @@ bool World::Impl::sweepBody(std::size_t row, const StepContext& context, SweepBo
     const ShapeList& own = bodies.rows[m.body].shapes;
     ReferencePoses::Row& known = references.rows[bodies.rows[m.body].mover];
     const real dt = static_cast<real>(context.dt), travel = travelOf(m, context);
-    if (!known.ofManifolds.holds(m, travel))
-        known.ofManifolds.renew(m, manifoldRoom(context) * widthOf(m.body));
+    const bool keepsManifolds = known.ofManifolds.holds(m, travel);
+    const real width = keepsManifolds ? real(0) : widthOf(m.body);
+    if (!keepsManifolds) known.ofManifolds.renew(m, manifoldRoom(context) * width);
     motions.versions[row] = known.ofManifolds.version;
     motions.origins[row] = known.ofManifolds.center;
 
@@ -56,13 +57,15 @@ bool World::Impl::sweepBody(std::size_t row, const StepContext& context, SweepBo
     bool keeps = known.ofBoxes.holds(m, travel);
     std::size_t k = 0;
     for (const std::uint32_t slot : shapes.of(own)) {
-        keeps = keeps && next[k].shape == slot && next[k].body == m.body && next[k].moves == moves;
+        if (!keeps) break;
+        keeps = next[k].shape == slot && next[k].body == m.body && next[k].moves == moves;
         ++k;
     }
     if (keeps) return false;
 
     // What is fast leaves its boxes anyway.
-    const real width = widthOf(m.body), room = travel < kBoxRoom / 2 * width ? kBoxRoom * width : real(0);
+    const real size = width > 0 ? width : widthOf(m.body);
+    const real room = travel < kBoxRoom / 2 * size ? kBoxRoom * size : real(0);
     const Trajectory& path = paths.reckon(row, m, true);
     for (const std::uint32_t slot : shapes.of(own)) {
         const Convex& convex = shapes.convex(slot);
