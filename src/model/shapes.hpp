@@ -9,6 +9,7 @@
 
 #include <tamias2d/model/defs.hpp>
 
+#include <limits>
 #include <vector>
 
 namespace tamias2d::inline TAMIAS_PRECISION {
@@ -96,6 +97,13 @@ struct ShapeTable {
     };
     Range of(const ShapeList& list) const { return {rows, list}; }
     Range of(const BodyRow& body) const { return {rows, body.shapes}; }
+    /// Of the smallest shape of the body; the greatest number if it has none.   [m]
+    real widthOf(const BodyRow& body) const
+    {
+        real width = std::numeric_limits<real>::max();
+        for (const std::uint32_t slot : of(body)) width = minimum(width, convex(slot).size);
+        return width;
+    }
     std::uint32_t lastOf(const ShapeList& list) const { return rows[list.first].previous; }
 };
 

@@ -32,7 +32,8 @@ struct LaneView {
 /// While a contact is in a lane, its impulses and sums are there and those of the ContactTable are of before.
 ///
 /// One object for each width; all give the same bits, those of visiting the contacts of a color one by one by
-/// the functions of contacts/rows.hpp [ADR5, ADR6].
+/// the functions of contacts/rows.hpp [ADR5, ADR6], but that these round the distance between the centers of
+/// the bodies once and lanes the way of each since its reference pose.
 class ContactLanes {
 public:
     virtual ~ContactLanes() = default;

@@ -49,11 +49,9 @@ void startSweeps(ImpactStage& stage, const StepContext& context)
     for (const Motion& m : stage.motions.rows) {
         const LaneRow& pose = stage.rows.poses[predicted.size()];
         const Trajectory path = predictedPath(m, m.center, context.invH);
-        real least = std::numeric_limits<real>::max();
-        if (m.moves()) {  // what holds still leaves no box
-            for (const std::uint32_t shape : stage.world.shapes.of(stage.world.bodies.rows[m.body]))
-                least = minimum(least, stage.world.shapes.convex(shape).size);
-        }
+        // What holds still leaves no box.
+        const real least = m.moves() ? stage.world.shapes.widthOf(stage.world.bodies.rows[m.body])
+                                     : std::numeric_limits<real>::max();
         predicted.push_back({path.velocity,
                              path.spin,
                              slackOf(least, context),

@@ -66,7 +66,7 @@ void World::Impl::destroyBody(BodyId body)
         lawIds.giveBack(placed.id.index);
         return true;
     });
-    references.forget(row(body).mover);
+    forgetKept(row(body));
     bodies.clear(row(body));
     bodies.ids.giveBack(body.index);
 }
@@ -79,8 +79,7 @@ ShapeId World::Impl::createShape(BodyId body, const ShapeDef& def)
     shapes.rows[shape.index].body = body.index;
     shapes.rows[shape.index].userData = def.userData;
     shapes.setForm(shape.index, def.geometry, def.offset, def.angle, b.localCenter);
-    references.forget(b.mover);
-    pairsAreCurrent = false;
+    forgetKept(b);
     shapes.setSurface(shape.index, {def.density, def.material, def.filter});
     shapes.link(b.shapes, shape.index);
     if (b.enabled) ++census.shapes;
@@ -148,8 +147,7 @@ void World::Impl::rebuildConvex(std::uint32_t slot)
     const ShapeForm& form = shapes.form(slot);
     shapes.setForm(slot, form.geometry, form.offset, form.angle,
                    bodies.rows[shapes.rows[slot].body].localCenter);
-    references.forget(bodies.rows[shapes.rows[slot].body].mover);
-    pairsAreCurrent = false;
+    forgetKept(bodies.rows[shapes.rows[slot].body]);
 }
 
 // Mass, center and inertia from the shapes [DD1, DD14], as they would be with `def` in the place of the shape

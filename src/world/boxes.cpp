@@ -6,7 +6,6 @@
 #include "world/impl.hpp"
 
 #include <atomic>
-#include <limits>
 
 namespace tamias2d::inline TAMIAS_PRECISION {
 namespace {
@@ -30,13 +29,11 @@ real travelOf(const Motion& m, const StepContext& context)
 
 }  // namespace
 
-// Of the smallest shape of the body.   [m]
-real World::Impl::widthOf(std::uint32_t body) const
+// Something about the body has changed that its boxes and manifolds come from.
+void World::Impl::forgetKept(const BodyRow& body)
 {
-    real width = std::numeric_limits<real>::max();
-    for (const std::uint32_t slot : shapes.of(bodies.rows[body]))
-        width = minimum(width, shapes.convex(slot).size);
-    return width;
+    references.forget(body.mover);
+    pairsAreCurrent = false;
 }
 
 // One body: its boxes, from `next` on, which hold those of the step before. Returns whether any of them is
@@ -44,11 +41,11 @@ real World::Impl::widthOf(std::uint32_t body) const
 bool World::Impl::sweepBody(std::size_t row, const StepContext& context, SweepBox* next)
 {
     const Motion& m = motions.rows[row];
-    const ShapeList& own = bodies.rows[m.body].shapes;
-    ReferencePoses::Row& known = references.rows[bodies.rows[m.body].mover];
+    const BodyRow& body = bodies.rows[m.body];
+    ReferencePoses::Row& known = references.rows[body.mover];
     const real dt = static_cast<real>(context.dt), travel = travelOf(m, context);
     const bool keepsManifolds = known.ofManifolds.holds(m, travel);
-    const real width = keepsManifolds ? real(0) : widthOf(m.body);
+    const real width = keepsManifolds ? real(0) : shapes.widthOf(body);
     if (!keepsManifolds) known.ofManifolds.renew(m, manifoldRoom(context) * width);
     motions.versions[row] = known.ofManifolds.version;
     motions.origins[row] = known.ofManifolds.center;
@@ -56,7 +53,7 @@ bool World::Impl::sweepBody(std::size_t row, const StepContext& context, SweepBo
     const bool moves = m.moves() || m.velocity != Vec2{} || m.spin != 0;
     bool keeps = known.ofBoxes.holds(m, travel);
     std::size_t k = 0;
-    for (const std::uint32_t slot : shapes.of(own)) {
+    for (const std::uint32_t slot : shapes.of(body)) {
         if (!keeps) break;
         keeps = next[k].shape == slot && next[k].body == m.body && next[k].moves == moves;
         ++k;
@@ -64,10 +61,10 @@ bool World::Impl::sweepBody(std::size_t row, const StepContext& context, SweepBo
     if (keeps) return false;
 
     // What is fast leaves its boxes anyway.
-    const real size = width > 0 ? width : widthOf(m.body);
+    const real size = width > 0 ? width : shapes.widthOf(body);
     const real room = travel < kBoxRoom / 2 * size ? kBoxRoom * size : real(0);
     const Trajectory& path = paths.reckon(row, m, true);
-    for (const std::uint32_t slot : shapes.of(own)) {
+    for (const std::uint32_t slot : shapes.of(body)) {
         const Convex& convex = shapes.convex(slot);
         const real margin = 3 * context.tuning.restGap * convex.size + room;
         *next++ = {sweptBounds(convex, path, m.center, 0, dt, margin), slot, m.body, moves};
@@ -80,10 +77,11 @@ bool World::Impl::sweepBody(std::size_t row, const StepContext& context, SweepBo
 void World::Impl::sweepStill(std::size_t row, const StepContext& context)
 {
     const Motion& m = motions.rows[row];
-    bodies.moverFor(bodies.rows[m.body]);  // a ground that is met for the first time has none yet
+    BodyRow& body = bodies.rows[m.body];
+    bodies.moverFor(body);  // a ground that is met for the first time has none yet
     references.rows.resize(bodies.movers.slots());
-    ReferencePose& pose = references.rows[bodies.rows[m.body].mover].ofManifolds;
-    if (!pose.holds(m, travelOf(m, context))) pose.renew(m, manifoldRoom(context) * widthOf(m.body));
+    ReferencePose& pose = references.rows[body.mover].ofManifolds;
+    if (!pose.holds(m, travelOf(m, context))) pose.renew(m, manifoldRoom(context) * shapes.widthOf(body));
     motions.versions[row] = pose.version;
     motions.origins[row] = pose.center;
 }

@@ -239,7 +239,7 @@ struct World::Impl {
     void listUncoupled();
 
     // world/boxes.cpp
-    real widthOf(std::uint32_t body) const;
+    void forgetKept(const BodyRow& body);
     bool sweepBody(std::size_t row, const StepContext& context, SweepBox* next);
     void sweepStill(std::size_t row, const StepContext& context);
     bool sweepBodies(const StepContext& context);

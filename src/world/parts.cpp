@@ -37,8 +37,7 @@ void World::Impl::refreshPart(std::uint32_t slot)
     const bool moves = b.isDynamic() ? !b.isAsleep() : b.type == BodyType::Kinematic && b.hasVelocity();
     if ((b.enabled && moves) == b.takesPart) return;
     b.takesPart = !b.takesPart;
-    references.forget(b.mover);
-    pairsAreCurrent = false;
+    forgetKept(b);
     if (b.takesPart) {
         if (!bodies.parts.empty() && bodies.parts.back() >= slot) partsAreSorted = false;
         bodies.parts.push_back(slot);

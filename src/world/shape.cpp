@@ -57,8 +57,7 @@ void Shape::redefine(const ShapeDef& def)
     s.userData = def.userData;
     ShapeTable& shapes = w->impl_->shapes;
     shapes.setForm(id_.index, def.geometry, def.offset, def.angle, w->impl_->bodies.rows[s.body].localCenter);
-    w->impl_->references.forget(w->impl_->bodies.rows[s.body].mover);
-    w->impl_->pairsAreCurrent = false;
+    w->impl_->forgetKept(w->impl_->bodies.rows[s.body]);
     shapes.setSurface(id_.index, {def.density, def.material, def.filter});
     w->impl_->updateMass(s.body);
     w->impl_->placeAgain(id_.index);
