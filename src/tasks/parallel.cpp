@@ -54,7 +54,7 @@ void Parallel::share(const Job& job)
 #if TAMIAS_HAS_EXCEPTIONS
     try {
         system_->run(*this, parts_);
-    } catch (...) {  // the host's affair; ours is that all gets done
+    } catch (...) {  // NOLINT(bugprone-empty-catch): the host's affair; ours is that all gets done
     }
 #else
     system_->run(*this, parts_);

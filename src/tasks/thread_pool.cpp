@@ -47,9 +47,9 @@ ThreadPool::ThreadPool(int threads) : begun_(looksOf(threads)), finished_(looksO
         while (static_cast<int>(workers_.size()) + 1 < threads) workers_.emplace_back([this] { work(); });
     };
 #if TAMIAS_HAS_EXCEPTIONS
-    try {
+    try {  // with fewer, if no more are to be had: the results are the same
         start();
-    } catch (const std::system_error&) {  // no more to be had: the results are the same with fewer
+    } catch (const std::system_error&) {  // NOLINT(bugprone-empty-catch)
     }
 #else
     start();
