@@ -27,6 +27,7 @@ JointFrames framesFor(const Kind& k)
         frames.anchorB = k.anchorB;
     }
     if constexpr (requires { k.referenceAngle; }) frames.reference = k.referenceAngle;
+    if constexpr (requires { k.turns; }) frames.turns = k.turns;
     return frames;
 }
 

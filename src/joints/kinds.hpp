@@ -30,6 +30,7 @@ struct JointFrames {
     double reference = 0;     // [rad]
     const Position* place = nullptr;
     bool absolute = false;    // the angle is B's own, by the shorter way
+    int turns = 0;            // whole ones that the angle begins with
 };
 
 JointFrames framesOf(const JointKind& kind);

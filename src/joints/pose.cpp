@@ -33,13 +33,14 @@ double countTurns(double angleA, double angleB, double near)
 
 void beginCount(JointRow& joint, double angleA, double angleB)
 {
-    double near = framesOf(joint.def.kind).reference;
+    const JointFrames frames = framesOf(joint.def.kind);
+    double near = frames.reference;
     joint.angleA = 0;
     if (const auto* gear = std::get_if<GearJoint>(&joint.def.kind)) {
         joint.angleA = angleA;
         near = (static_cast<double>(gear->ratio) - 1) * angleA + gear->phase;
     }
-    joint.angle = countTurns(angleA, angleB, near);
+    joint.angle = countTurns(angleA, angleB, countTurns(angleA, angleB, near) + kTwoPi * frames.turns);
     joint.notch = 0;
     if (const auto* ratchet = std::get_if<RatchetJoint>(&joint.def.kind))
         joint.notch = toothAt(*ratchet, joint.angle - ratchet->referenceAngle);
@@ -60,7 +61,7 @@ bool countsAlike(const JointKind& one, const JointKind& other)
         return second && gear->ratio == second->ratio;
     }
     if (std::holds_alternative<RatchetJoint>(one)) return one == other;
-    return true;
+    return framesOf(one).turns == framesOf(other).turns;
 }
 
 JointPose poseOf(const JointRow& joint, const BodyTable& bodies, const Motion& a, const Motion& b,

@@ -181,6 +181,7 @@ void fieldsOf(const RevoluteJoint*, Visit visit)
     visit("limits", &RevoluteJoint::limits);
     visit("motor", &RevoluteJoint::motor);
     visit("spring", &RevoluteJoint::spring);
+    visit("turns", &RevoluteJoint::turns);
 }
 
 template <class Visit>
@@ -254,6 +255,7 @@ void fieldsOf(const RotaryJoint*, Visit visit)
     visit("limits", &RotaryJoint::limits);
     visit("motor", &RotaryJoint::motor);
     visit("spring", &RotaryJoint::spring);
+    visit("turns", &RotaryJoint::turns);
 }
 
 template <class Visit>

@@ -56,6 +56,15 @@ JointDef Joint::definition() const
         const double phase = gear->phase + static_cast<double>(gear->ratio) * turns;
         if (turns != 0) gear->phase = phase - wholeTurns(phase);
     }
+    std::visit(
+        [&](auto& kind) {
+            if constexpr (requires { kind.turns; }) {
+                const double begun = countTurns(angleA, angleB, kind.referenceAngle);
+                kind.turns =
+                    static_cast<int>(wholeTurns(countTurns(angleA, angleB, j.angle) - begun) / kTwoPi);
+            }
+        },
+        def.kind);
     if (auto* rack = std::get_if<RackJoint>(&def.kind))
         rack->offset += static_cast<double>(rack->radius) * wholeTurns(countTurns(angleA, angleB, j.angle));
     return def;

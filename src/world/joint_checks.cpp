@@ -8,6 +8,7 @@ namespace {
 
 constexpr double kUnbounded = static_cast<double>(kUnlimited);
 constexpr double kMaxTurn = 1e6;        // [rad]
+constexpr int kMostTurns = 100000;
 constexpr double kMaxFrequency = 1e6;   // [Hz]
 constexpr double kLeastFactor = 1e-3, kMostFactor = 1e3;   // of ratios and teeth   [1] or [rad]
 constexpr double kMaxPhase = 1e9;       // what many turns add up to   [rad] or [m]
@@ -102,6 +103,11 @@ void addFree(Checks& checks, const Units& units, const Kind& k)
     addSpring(checks, units, k.spring);
 }
 
+void addTurns(Checks& checks, const std::string& field, int turns)
+{
+    checks.range(field, turns, -kMostTurns, kMostTurns, "must be within +-" + textOf(kMostTurns));
+}
+
 Complaint checkKind(const RevoluteJoint& k, real lengthUnit)
 {
     const Units units = turning("RevoluteJoint.");
@@ -109,6 +115,7 @@ Complaint checkKind(const RevoluteJoint& k, real lengthUnit)
     addAnchors(checks, "RevoluteJoint.", k, lengthUnit);
     addAngle(checks, "RevoluteJoint.referenceAngle", k.referenceAngle);
     addFree(checks, units, k);
+    addTurns(checks, "RevoluteJoint.turns", k.turns);
     return checks.first();
 }
 
@@ -214,6 +221,7 @@ Complaint checkKind(const RotaryJoint& k, real)
     Checks checks;
     addAngle(checks, "RotaryJoint.referenceAngle", k.referenceAngle);
     addFree(checks, units, k);
+    addTurns(checks, "RotaryJoint.turns", k.turns);
     return checks.first();
 }
 

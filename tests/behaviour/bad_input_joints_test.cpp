@@ -13,6 +13,7 @@ const Values kNoAngle = notFiniteAnd({1.1e6, -1.1e6});
 const Values kNoForce = notFiniteAnd({-1, -1e-30, 1.1e30});
 const Values kNoFrequency = notFiniteAnd({-1, -1e-30, 1.1e6});
 const Values kNoStrength = notFiniteAnd({-1, 0, 1.1e30});
+const Values kNoTurns = {-100001, 100001, 2e9};
 const Values kNoWindow = notFiniteAnd({-1e-6, -1, 1.1e30});
 
 // One world with two bodies that may be joined, and a joint of each kind.
@@ -74,7 +75,8 @@ TEST(BadInput, EveryFieldOfARevoluteJointIsChecked)
     TRACES("R4", "LC3");
     expectEveryFieldChecked<RevoluteJoint>(
         withParts<RevoluteJoint>(
-            {{"referenceAngle", kNoAngle, [](RevoluteJoint& k, double x) { k.referenceAngle = x; }}}),
+            {{"referenceAngle", kNoAngle, [](RevoluteJoint& k, double x) { k.referenceAngle = x; }},
+             {"turns", kNoTurns, [](RevoluteJoint& k, double x) { k.turns = static_cast<int>(x); }}}),
         "RevoluteJoint");
 }
 
@@ -155,6 +157,7 @@ TEST(BadInput, EveryFieldOfARotaryJointIsChecked)
     using K = RotaryJoint;
     expectEveryFieldChecked<K>(
         {{"referenceAngle", kNoAngle, [](K& k, double x) { k.referenceAngle = x; }},
+         {"turns", kNoTurns, [](K& k, double x) { k.turns = static_cast<int>(x); }},
          {"limits.lower", kNoAnchor, [](K& k, double x) { k.limits = JointLimits{toReal(x), toReal(x)}; }},
          {"limits.upper", kNoAnchor, [](K& k, double x) { k.limits = JointLimits{0, toReal(x)}; }},
          {"limits.lower", {1.5}, [](K& k, double x) { k.limits = JointLimits{toReal(x), 1}; }},

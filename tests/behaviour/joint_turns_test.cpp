@@ -35,6 +35,52 @@ double torqueOf(const Joint& joint)
     return static_cast<double>(joint.reading().torque);
 }
 
+// --- turns
+
+// What has turned several times is written down, and read again by another world.
+TEST(JointTurns, AreKeptByADefinition)
+{
+    TRACES("LC3", "R5");
+    for (const double speed : {7.0, -7.0}) {
+        for (const bool revolute : {true, false}) {
+            JointDef def;
+            if (revolute)
+                def.kind = RevoluteJoint{.referenceAngle = 0.5};
+            else
+                def.kind = RotaryJoint{.referenceAngle = 0.5, .limits = JointLimits{-100, 100}};
+            World world(weightless()), other(weightless());
+            def.bodyA = addDisc(world, {0, 0}, 0.05, {.type = BodyType::Static}).id();
+            def.bodyB = addDisc(world, {0, 0}, 0.5, {.spin = speed}).id();
+            Joint joint = world.createJoint(def);
+            runSeconds(world, 3);  // 21 rad: more than three turns
+            const double angle = joint.reading().position;
+            EXPECT_NEAR(angle, 3 * speed - 0.5, 1e-2);
+
+            JointDef again = joint.definition();
+            again.bodyA = addDisc(other, {0, 0}, 0.05, {.type = BodyType::Static}).id();
+            again.bodyB = addDisc(other, {0, 0}, 0.5, {.angle = world.body(def.bodyB).angle()}).id();
+            EXPECT_NEAR(other.createJoint(again).reading().position, angle, 1e-9);
+            joint.setKind(again.kind);
+            EXPECT_NEAR(joint.reading().position, angle, 1e-9);
+        }
+    }
+}
+
+TEST(JointTurns, ThatAJointBeginsWithCountForItsLimits)
+{
+    TRACES("LC3");
+    World world(weightless());
+    Body post = addDisc(world, {0, 0}, 0.05, {.type = BodyType::Static});
+    Body wheel = addDisc(world, {0, 0}, 0.5, {.spin = 2});
+    Joint joint = world.createJoint(
+        jointOf(post, wheel,
+                RevoluteJoint{.limits = JointLimits{.lower = 0, .upper = toReal(4 * kPi + 1)}, .turns = 2}));
+    runSeconds(world, 2);
+    EXPECT_EQ(joint.reading().limit, LimitState::AtUpper);
+    EXPECT_NEAR(joint.reading().position, 4 * kPi + 1, 1e-3);
+    EXPECT_LT(std::abs(angleDifference(wheel.angle(), 1)), 1e-3);
+}
+
 // --- rotary joints
 
 TEST(RotaryJoint, HoldsAnAngleAndLeavesPlacesFree)

@@ -83,7 +83,7 @@ std::unique_ptr<World> strangeWorld()
     const JointMotor motor{toReal(0.1), toReal(22.5)};
     const JointSpring spring{toReal(3.3), toReal(0.1), toReal(0.7)};
     const JointSpring spring0{toReal(1.5), toReal(0.2), 0};
-    joint.kind = RevoluteJoint{vec(0.1, 0.2), vec(-0.3, 0.4), 1.0 / 3, limits, motor, spring};
+    joint.kind = RevoluteJoint{vec(0.1, 0.2), vec(-0.3, 0.4), 1.0 / 3, limits, motor, spring, -3};
     joint.collideConnected = true;
     joint.enabled = false;
     joint.breaking = {100, toReal(0.1), 3, toReal(0.3)};
@@ -101,8 +101,8 @@ std::unique_ptr<World> strangeWorld()
           JointKind(WheelJoint{vec(1, 2), vec(3, 4), vec(0.6, -0.8), limits, motor, std::nullopt}),
           JointKind(WheelJoint{{}, {}, vec(0, 2), {}, {}, spring}),
           JointKind(GrooveJoint{vec(0.1, 0.2), vec(3, 0.1), vec(-1, 1)}),
-          JointKind(RotaryJoint{1.0 / 3, limits, motor, spring}), JointKind(RatchetJoint{-0.1, toReal(-0.3)}),
-          JointKind(GearJoint{toReal(-2.3), 1.0 / 3}),
+          JointKind(RotaryJoint{1.0 / 3, limits, motor, spring, 2}),
+          JointKind(RatchetJoint{-0.1, toReal(-0.3)}), JointKind(GearJoint{toReal(-2.3), 1.0 / 3}),
           JointKind(RackJoint{vec(1, 2), vec(3, 4), vec(0.6, 0.8), toReal(-0.7), 1.0 / 3}),
           JointKind(PulleyJoint{vec(0.1, 0),
                                 vec(0, 0.2),
@@ -300,6 +300,66 @@ TEST(SceneRoundTrip, ALawOfOnesOwnIsWrittenByNameAndTakenFromTheReadersList)
     // 1 m/s^2 for 1 s
     const Body disc = scene.world->body(scene.world->bodies()[0]);
     EXPECT_NEAR(static_cast<double>(disc.linearVelocity().x), 1, 1e-5);
+}
+
+// Nothing bears a load here, so that there is nothing to carry on that a file does not have.
+TEST(SceneRoundTrip, WhatHasTurnedSeveralTimesGoesOnWithTheSameBits)
+{
+    TRACES("LC3", "R2");
+    for (const double speed : {7.0, -7.0}) {
+        World world(weightless());
+        Body post = addDisc(world, {0, 0}, 0.05, {.type = BodyType::Static});
+        Body wheel = addDisc(world, {0, 0}, 0.5, {.spin = speed});
+        Body dial = addDisc(world, {3, 0}, 0.5, {.spin = 0.9 * speed});
+        const JointLimits limits{toReal(-26), toReal(26)};
+        world.createJoint(jointOf(post, wheel, RevoluteJoint{.referenceAngle = 0.5, .limits = limits}));
+        world.createJoint(jointOf(post, dial, RotaryJoint{.referenceAngle = -1, .limits = limits}));
+        for (int step = 0; step < 180; ++step) world.step();
+
+        const std::string text = writeScene(world);
+        const Scene scene = readScene(text);
+        EXPECT_EQ(writeScene(*scene.world, scene.info), text);
+        for (int step = 0; step < 120; ++step) {  // into its limit, and back
+            world.step();
+            scene.world->step();
+        }
+        for (std::size_t i = 0; i < world.joints().size(); ++i) {
+            const JointReading a = world.joint(world.joints()[i]).reading();
+            const JointReading b = scene.world->joint(scene.world->joints()[i]).reading();
+            EXPECT_EQ(a.position, b.position) << "joint " << i;
+            EXPECT_EQ(a.speed, b.speed) << "joint " << i;
+            EXPECT_GT(std::abs(a.position), 18) << "joint " << i;
+            EXPECT_LT(std::abs(a.position), 26.001) << "joint " << i;
+        }
+    }
+}
+
+// A gear that has turned 3 times: the wheels neither jump nor get out of step.
+TEST(SceneRoundTrip, AGearThatHasTurnedSeveralTimesGoesOnAtTheSameTurn)
+{
+    TRACES("LC3", "R2");
+    World world(weightless());
+    Body post = addDisc(world, {0, 0}, 0.05, {.type = BodyType::Static});
+    Body driver = addDisc(world, {0, 0}, 0.5), driven = addDisc(world, {3, 0}, 0.5);
+    RevoluteJoint axle;
+    axle.motor = JointMotor{toReal(7), 100};
+    world.createJoint(jointOf(post, driver, axle));
+    world.createJoint(revoluteAt(post, driven, {3, 0}));
+    world.createJoint(gearBetween(driver, driven, toReal(-0.7)));
+    for (int step = 0; step < 180; ++step) world.step();
+    const Scene scene = readScene(writeScene(world));
+    for (int step = 0; step < 180; ++step) {
+        world.step();
+        scene.world->step();
+    }
+    for (int i = 0; i < 3; ++i) {
+        const JointReading a = world.joint(world.joints()[static_cast<std::size_t>(i)]).reading();
+        const JointReading b =
+            scene.world->joint(scene.world->joints()[static_cast<std::size_t>(i)]).reading();
+        // Of a gear's B turns are counted anew, its own phase with them.
+        EXPECT_NEAR(std::remainder(a.position - b.position, 2 * kPi), 0, 1e-4) << "joint " << i;
+        EXPECT_NEAR(static_cast<double>(b.angularError), 0, 1e-4) << "joint " << i;
+    }
 }
 
 TEST(SceneRoundTrip, PolygonsMayBeGivenInAnyOrder)

@@ -147,14 +147,14 @@ TEST(SceneSchema, KnowsEveryFieldOfEveryDefinition)
     [[maybe_unused]] const auto& [l1, l2, l3, l4, l5] = LastingForce{};
     [[maybe_unused]] const auto& [p1, p2, p3] = MassProperties{};
     [[maybe_unused]] const auto& [j1, j2, j3, j4, j5, j6, j7, j8] = JointDef{};
-    [[maybe_unused]] const auto& [r1, r2, r3, r4, r5, r6] = RevoluteJoint{};
+    [[maybe_unused]] const auto& [r1, r2, r3, r4, r5, r6, r7] = RevoluteJoint{};
     [[maybe_unused]] const auto& [d1, d2, d3, d4, d5, d6] = DistanceJoint{};
     [[maybe_unused]] const auto& [c1, c2, c3, c4, c5, c6, c7] = PrismaticJoint{};
     [[maybe_unused]] const auto& [w1, w2, w3, w4, w5] = WeldJoint{};
     [[maybe_unused]] const auto& [g1, g2, g3, g4, g5, g6, g7] = TargetJoint{};
     [[maybe_unused]] const auto& [ee1, ee2, ee3, ee4, ee5, ee6] = WheelJoint{};
     [[maybe_unused]] const auto& [ff1, ff2, ff3] = GrooveJoint{};
-    [[maybe_unused]] const auto& [gg1, gg2, gg3, gg4] = RotaryJoint{};
+    [[maybe_unused]] const auto& [gg1, gg2, gg3, gg4, gg5] = RotaryJoint{};
     [[maybe_unused]] const auto& [hh1, hh2] = RatchetJoint{};
     [[maybe_unused]] const auto& [ii1, ii2] = GearJoint{};
     [[maybe_unused]] const auto& [nn1, nn2, nn3, nn4, nn5] = RackJoint{};
@@ -178,14 +178,14 @@ TEST(SceneSchema, KnowsEveryFieldOfEveryDefinition)
     EXPECT_EQ(count("force"), 5u);
     EXPECT_EQ(count("mass"), 3u);
     EXPECT_EQ(count("joint"), 8u - 1 + 15);  // fifteen kinds instead of one field
-    EXPECT_EQ(count("revolute"), 6u);
+    EXPECT_EQ(count("revolute"), 7u);
     EXPECT_EQ(count("distance"), 6u);
     EXPECT_EQ(count("prismatic"), 7u);
     EXPECT_EQ(count("weld"), 5u);
     EXPECT_EQ(count("target"), 7u);
     EXPECT_EQ(count("wheel"), 6u);
     EXPECT_EQ(count("groove"), 3u);
-    EXPECT_EQ(count("rotary"), 4u);
+    EXPECT_EQ(count("rotary"), 5u);
     EXPECT_EQ(count("ratchet"), 2u);
     EXPECT_EQ(count("gear"), 2u);
     EXPECT_EQ(count("rack"), 5u);

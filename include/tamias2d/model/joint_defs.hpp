@@ -51,6 +51,8 @@ struct RevoluteJoint {
     std::optional<JointLimits> limits = {};   ///< of the joint's angle               [rad]
     std::optional<JointMotor> motor = {};     ///< [rad/s], [N*m]
     std::optional<JointSpring> spring = {};   ///< towards the angle `rest`           [rad]
+    int turns = 0;  ///< whole ones that the angle begins with, beside what lies within half a turn
+                    ///< of the reference; -100000 to 100000
 
     friend constexpr bool operator==(const RevoluteJoint&, const RevoluteJoint&) noexcept = default;
 };
@@ -58,36 +60,36 @@ struct RevoluteJoint {
 /// Two points stay at a distance: a rod. With limits a rope or a strut, with a spring a spring, with both a
 /// spring that has stops.
 struct DistanceJoint {
-    Vec2 anchorA = {};   ///< in each body's frame   [m]
+    Vec2 anchorA = {};  ///< in each body's frame   [m]
     Vec2 anchorB = {};
-    real length = 1;     ///< of the rod; no rod if there are limits, a motor or a spring    [m]   > 0
-    std::optional<JointLimits> limits = {};   ///< of the distance; upper may be kUnlimited   [m]   >= 0
-    std::optional<JointMotor> motor = {};     ///< speed > 0 lengthens                        [m/s], [N]
-    std::optional<JointSpring> spring = {};   ///< towards the length `rest`                  [m]
+    real length = 1;  ///< of the rod; no rod if there are limits, a motor or a spring    [m]   > 0
+    std::optional<JointLimits> limits = {};  ///< of the distance; upper may be kUnlimited   [m]   >= 0
+    std::optional<JointMotor> motor = {};  ///< speed > 0 lengthens                        [m/s], [N]
+    std::optional<JointSpring> spring = {};  ///< towards the length `rest`                  [m]
 
     friend constexpr bool operator==(const DistanceJoint&, const DistanceJoint&) noexcept = default;
 };
 
 /// B slides along an axis fixed in A and does not turn against it.
 struct PrismaticJoint {
-    Vec2 anchorA = {};           ///< in each body's frame                               [m]
+    Vec2 anchorA = {};  ///< in each body's frame                               [m]
     Vec2 anchorB = {};
-    Vec2 axis = {1, 0};          ///< in A's frame, of any length but 0                  [1]
-    double referenceAngle = 0;   ///< of B against A                                     [rad]
-    std::optional<JointLimits> limits = {};   ///< of the way along the axis             [m]
-    std::optional<JointMotor> motor = {};     ///< [m/s], [N]
-    std::optional<JointSpring> spring = {};   ///< towards the place `rest`              [m]
+    Vec2 axis = {1, 0};  ///< in A's frame, of any length but 0                  [1]
+    double referenceAngle = 0;  ///< of B against A                                     [rad]
+    std::optional<JointLimits> limits = {};  ///< of the way along the axis             [m]
+    std::optional<JointMotor> motor = {};  ///< [m/s], [N]
+    std::optional<JointSpring> spring = {};  ///< towards the place `rest`              [m]
 
     friend constexpr bool operator==(const PrismaticJoint&, const PrismaticJoint&) noexcept = default;
 };
 
 /// Two bodies as one. With springs it gives way: `linear` to forces, `angular` to torques.
 struct WeldJoint {
-    Vec2 anchorA = {};           ///< in each body's frame   [m]
+    Vec2 anchorA = {};  ///< in each body's frame   [m]
     Vec2 anchorB = {};
-    double referenceAngle = 0;   ///< of B against A         [rad]
-    std::optional<JointSpring> linear = {};    ///< none: stiff. Its `rest` must be 0
-    std::optional<JointSpring> angular = {};   ///< none: stiff. Its `rest` must be 0
+    double referenceAngle = 0;  ///< of B against A         [rad]
+    std::optional<JointSpring> linear = {};  ///< none: stiff. Its `rest` must be 0
+    std::optional<JointSpring> angular = {};  ///< none: stiff. Its `rest` must be 0
 
     friend constexpr bool operator==(const WeldJoint&, const WeldJoint&) noexcept = default;
 };
@@ -95,13 +97,13 @@ struct WeldJoint {
 /// Pulls a point of B to a place in the world, and B to an angle if there is one, by a damped spring of
 /// limited force: for dragging. A bears the reaction; take a static body for a hand.
 struct TargetJoint {
-    Vec2 anchor = {};                       ///< in B's frame                            [m]
-    Position target = {};                   ///< in the world                            [m]
-    std::optional<double> angle = {};       ///< of B, by the shorter way                [rad]
-    real frequency = 5;                     ///< of B on the spring                      [Hz]   > 0
-    real dampingRatio = 1;                  ///< [1]   >= 0
-    real maxForce = kUnlimited;             ///< [N]   >= 0
-    real maxTorque = kUnlimited;            ///< [N*m] >= 0
+    Vec2 anchor = {};  ///< in B's frame                            [m]
+    Position target = {};  ///< in the world                            [m]
+    std::optional<double> angle = {};  ///< of B, by the shorter way                [rad]
+    real frequency = 5;  ///< of B on the spring                      [Hz]   > 0
+    real dampingRatio = 1;  ///< [1]   >= 0
+    real maxForce = kUnlimited;  ///< [N]   >= 0
+    real maxTorque = kUnlimited;  ///< [N*m] >= 0
 
     friend constexpr bool operator==(const TargetJoint&, const TargetJoint&) noexcept = default;
 };
@@ -109,10 +111,10 @@ struct TargetJoint {
 /// B rolls on an axle that slides along an axis fixed in A: a suspension. The axis usually points from the
 /// chassis (A) down to the wheel (B), or up.
 struct WheelJoint {
-    Vec2 anchorA = {};       ///< in each body's frame; B's is its hub                         [m]
+    Vec2 anchorA = {};  ///< in each body's frame; B's is its hub                         [m]
     Vec2 anchorB = {};
-    Vec2 axis = {0, 1};      ///< of the way, in A's frame, of any length but 0                [1]
-    std::optional<JointLimits> limits = {};   ///< of the way of the hub along the axis        [m]
+    Vec2 axis = {0, 1};  ///< of the way, in A's frame, of any length but 0                [1]
+    std::optional<JointLimits> limits = {};  ///< of the way of the hub along the axis        [m]
     std::optional<JointMotor> motor = {};  ///< turns the wheel against A                   [rad/s], [N*m]
     std::optional<JointSpring> spring = JointSpring{4, real(0.7), 0};  ///< along the axis    [m]
 
@@ -135,6 +137,7 @@ struct RotaryJoint {
     std::optional<JointLimits> limits = {};  ///< of the joint's angle, several turns           [rad]
     std::optional<JointMotor> motor = {};  ///< [rad/s], [N*m]
     std::optional<JointSpring> spring = {};  ///< towards the angle `rest`                      [rad]
+    int turns = 0;  ///< whole ones that the angle begins with, as of a RevoluteJoint
 
     friend constexpr bool operator==(const RotaryJoint&, const RotaryJoint&) noexcept = default;
 };
@@ -182,8 +185,8 @@ struct PulleyJoint {
     real ratio = 1;  ///< pull on B over pull on A                         [1]     1e-3 to 1e3
     real length = 2;  ///< of the rope: lengthA + ratio * lengthB           [m]     > 0
     bool taut = false;  ///< it pushes as well as pulls, and is never slack
-    real stopA = real(0.05);   ///< A comes no nearer to its wheel                             [m]     > 0
-    real stopB = real(0.05);   ///< likewise                                                   [m]     > 0
+    real stopA = real(0.05);  ///< A comes no nearer to its wheel                             [m]     > 0
+    real stopB = real(0.05);  ///< likewise                                                   [m]     > 0
 
     friend constexpr bool operator==(const PulleyJoint&, const PulleyJoint&) noexcept = default;
 };
