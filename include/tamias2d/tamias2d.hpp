@@ -15,6 +15,7 @@
 #include <tamias2d/math/transform.hpp>
 #include <tamias2d/math/vec2.hpp>
 #include <tamias2d/model/clamps.hpp>
+#include <tamias2d/model/constraint.hpp>
 #include <tamias2d/model/defs.hpp>
 #include <tamias2d/model/events.hpp>
 #include <tamias2d/model/joint_defs.hpp>

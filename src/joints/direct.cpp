@@ -63,9 +63,25 @@ private:
         return group_.impulses[j * JointRows::kMost + static_cast<std::size_t>(i)];
     }
 
+    // A row's direction in the space of all bodies of its joint.
+    struct Direction {
+        const Jacobian& pair;
+        const ConstraintRows::Part* more = nullptr;
+        int count = 0;  // of more
+    };
+    static Direction directionOf(const JointRows& rows, int i)
+    {
+        if (!rows.more) return {rows.rows[i].j};
+        return {rows.rows[i].j, rows.more->parts[i], rows.more->count};
+    }
+    int moreNode(std::size_t j, int k) const
+    {
+        return group_.moreNodes[group_.moreFrom[j] + static_cast<std::size_t>(k)];
+    }
+
     void load(const std::vector<BodyMotion<real>>& velocities);
-    double speed(std::size_t j, const Jacobian& direction) const;
-    void addAlong(std::size_t j, const Jacobian& direction, double amount, std::vector<double>& out) const;
+    double speed(std::size_t j, const Direction& direction) const;
+    void addAlong(std::size_t j, const Direction& direction, double amount, std::vector<double>& out) const;
     double wantedBy(std::size_t j, int i) const;
     bool answer();
     void answerPair(std::size_t j, int second, const double (&wanted)[JointRows::kMost]);
@@ -80,7 +96,7 @@ private:
     bool soften(const std::vector<BodyMotion<real>>& velocities);
     bool repeat(int times);
     bool converge();
-    void addRow(const Jacobian& jacobian, int nodeA, int nodeB, double weight);
+    void addRow(std::size_t j, const Direction& direction, double weight);
 
     void takeBack();
 
@@ -98,6 +114,13 @@ void fillJacobian(const Jacobian& j, const Motion& a, const Motion& b, double (&
     onB[0] = b.invMass.x > 0 ? static_cast<double>(j.linearB.x) : 0;
     onB[1] = b.invMass.y > 0 ? static_cast<double>(j.linearB.y) : 0;
     onB[2] = b.invInertia > 0 ? static_cast<double>(j.turnB) : 0;
+}
+
+void fillPart(const ConstraintRows::Part& part, const Motion& m, double (&on)[3])
+{
+    on[0] = m.invMass.x > 0 ? static_cast<double>(part.linear.x) : 0;
+    on[1] = m.invMass.y > 0 ? static_cast<double>(part.linear.y) : 0;
+    on[2] = m.invInertia > 0 ? static_cast<double>(part.turn) : 0;
 }
 
 void fillMasses(const Motion& m, double (&mass)[3])
@@ -136,7 +159,7 @@ void DirectSolver::takeBack()
         given.assign(group_.start.size(), 0);
         for (std::size_t j = 0; j < group_.joints.size(); ++j)
             for (int i = 0; i < joint(j).count; ++i)
-                addAlong(j, joint(j).rows[i].j, static_cast<double>(joint(j).visits[i].impulse), given);
+                addAlong(j, directionOf(joint(j), i), static_cast<double>(joint(j).visits[i].impulse), given);
         for (std::size_t n = 0; n < group_.rows.size(); ++n) {
             double mass[3];
             fillMasses(motions_[group_.rows[n]], mass);
@@ -147,20 +170,27 @@ void DirectSolver::takeBack()
 }
 
 // Adds an amount along a direction in the space of velocities.
-void DirectSolver::addAlong(std::size_t j, const Jacobian& direction, double amount,
+void DirectSolver::addAlong(std::size_t j, const Direction& direction, double amount,
                             std::vector<double>& out) const
 {
     const JointRows& rows = all_[group_.joints[j]];
     const auto [nodeA, nodeB] = group_.nodes[j];
     double onA[3], onB[3];
-    fillJacobian(direction, motions_[rows.rowA], motions_[rows.rowB], onA, onB);
+    fillJacobian(direction.pair, motions_[rows.rowA], motions_[rows.rowB], onA, onB);
     for (std::size_t c = 0; c < 3; ++c) {
         if (nodeA >= 0) out[3 * static_cast<std::size_t>(nodeA) + c] += onA[c] * amount;
         if (nodeB >= 0) out[3 * static_cast<std::size_t>(nodeB) + c] += onB[c] * amount;
     }
+    for (int k = 0; k < direction.count; ++k) {
+        const int node = moreNode(j, k);
+        if (node < 0) continue;
+        double on[3];
+        fillPart(direction.more[k], motions_[rows.more->rows[k]], on);
+        for (std::size_t c = 0; c < 3; ++c) out[3 * static_cast<std::size_t>(node) + c] += on[c] * amount;
+    }
 }
 
-double DirectSolver::speed(std::size_t j, const Jacobian& direction) const
+double DirectSolver::speed(std::size_t j, const Direction& direction) const
 {
     const auto part = [&](int node, std::uint32_t motion, Vec2 linear, real turn) {
         const double spin = static_cast<double>(turn);
@@ -173,8 +203,11 @@ double DirectSolver::speed(std::size_t j, const Jacobian& direction) const
     };
     const JointRows& rows = all_[group_.joints[j]];
     const auto [a, b] = group_.nodes[j];
-    return part(a, rows.rowA, direction.linearA, direction.turnA) +
-           part(b, rows.rowB, direction.linearB, direction.turnB);
+    double sum = part(a, rows.rowA, direction.pair.linearA, direction.pair.turnA) +
+                 part(b, rows.rowB, direction.pair.linearB, direction.pair.turnB);
+    for (int k = 0; k < direction.count; ++k)
+        sum += part(moreNode(j, k), rows.more->rows[k], direction.more[k].linear, direction.more[k].turn);
+    return sum;
 }
 
 // The impulse that a row answers to the velocity at hand, were it not for its bounds.
@@ -183,7 +216,7 @@ double DirectSolver::wantedBy(std::size_t j, int i) const
     const JointRows& rows = all_[group_.joints[j]];
     const double before = group_.before[j * JointRows::kMost + static_cast<std::size_t>(i)];
     const Answer a = answerOf(rows.rows[i], rows.visits[i], before, ropeGamma_);
-    return a.at - a.slope * speed(j, rows.rows[i].j);
+    return a.at - a.slope * speed(j, directionOf(rows, i));
 }
 
 // The impulses that the rows answer to the velocity at hand; true if each is as free as it was, or at the
@@ -228,25 +261,36 @@ void DirectSolver::answerPair(std::size_t j, int second, const double (&wanted)[
     impulse(j, second) = part * both.y;
 }
 
-void DirectSolver::addRow(const Jacobian& jacobian, int nodeA, int nodeB, double weight)
+void DirectSolver::addRow(std::size_t j, const Direction& direction, double weight)
 {
     static const Motion ground;
-    double onA[3], onB[3];
-    const Motion& a = nodeA < 0 ? ground : motions_[group_.rows[static_cast<std::size_t>(nodeA)]];
-    const Motion& b = nodeB < 0 ? ground : motions_[group_.rows[static_cast<std::size_t>(nodeB)]];
-    fillJacobian(jacobian, a, b, onA, onB);
+    constexpr int kMostBodies = ConstraintRows::kMostBodies;
+    double on[kMostBodies][3];
+    int nodes[kMostBodies] = {group_.nodes[j].first, group_.nodes[j].second};
+    const auto motionOfNode = [&](int node) -> const Motion& {
+        return node < 0 ? ground : motions_[group_.rows[static_cast<std::size_t>(node)]];
+    };
+    fillJacobian(direction.pair, motionOfNode(nodes[0]), motionOfNode(nodes[1]), on[0], on[1]);
+    for (int k = 0; k < direction.count; ++k) {
+        nodes[2 + k] = moreNode(j, k);
+        fillPart(direction.more[k], motionOfNode(nodes[2 + k]), on[2 + k]);
+    }
     const auto add = [weight](BlockLdl::Block& block, const double (&x)[3], const double (&y)[3]) {
         for (int r = 0; r < 3; ++r)
             for (int c = 0; c < 3; ++c) block.a[3 * r + c] += weight * x[r] * y[c];
     };
-    if (nodeA >= 0) add(group_.matrix.diagonal(nodeA), onA, onA);
-    if (nodeB >= 0) add(group_.matrix.diagonal(nodeB), onB, onB);
-    if (nodeA < 0 || nodeB < 0) return;
-    const auto [block, transposed] = group_.matrix.between(nodeA, nodeB);
-    if (transposed)
-        add(*block, onB, onA);
-    else
-        add(*block, onA, onB);
+    for (int p = 0; p < 2 + direction.count; ++p) {
+        if (nodes[p] < 0) continue;
+        add(group_.matrix.diagonal(nodes[p]), on[p], on[p]);
+        for (int q = 0; q < p; ++q) {
+            if (nodes[q] < 0 || nodes[q] == nodes[p]) continue;  // one body alone has no other
+            const auto [block, transposed] = group_.matrix.between(nodes[q], nodes[p]);
+            if (transposed)
+                add(*block, on[p], on[q]);
+            else
+                add(*block, on[q], on[p]);
+        }
+    }
 }
 
 bool DirectSolver::factor()
@@ -266,15 +310,13 @@ bool DirectSolver::factor()
 void DirectSolver::addRows(std::size_t j)
 {
     const JointRows& rows = joint(j);
-    if (rows.turnMass > 0)
-        addRow(rows.across, group_.nodes[j].first, group_.nodes[j].second,
-               static_cast<double>(rows.turnMass));
+    if (rows.turnMass > 0) addRow(j, {rows.across}, static_cast<double>(rows.turnMass));
     for (int i = 0; i < rows.count; ++i) {
         const unsigned state = group_.states[j] >> 2 * i & 3u;
         if (state == Together && rows.rows[i].pairBound) addPair(j, i);
         if (state != Free) continue;
         const double slope = answerOf(rows.rows[i], rows.visits[i], 0, ropeGamma_).slope;
-        if (slope > 0) addRow(rows.rows[i].j, group_.nodes[j].first, group_.nodes[j].second, slope);
+        if (slope > 0) addRow(j, directionOf(rows, i), slope);
     }
 }
 
@@ -293,7 +335,7 @@ void DirectSolver::addPair(std::size_t j, int second)
     const Jacobian across{alongX * x.j.linearA + alongY * y.j.linearA,
                           alongX * x.j.linearB + alongY * y.j.linearB,
                           alongX * x.j.turnA + alongY * y.j.turnA, alongX * x.j.turnB + alongY * y.j.turnB};
-    if (slope > 0) addRow(across, group_.nodes[j].first, group_.nodes[j].second, slope);
+    if (slope > 0) addRow(j, {across}, slope);
 }
 
 // M (start - v) + sum of J^T (impulse - impulse at hand): zero where the velocity is that of the impulses.
@@ -310,10 +352,10 @@ void DirectSolver::residual(std::vector<double>& out)
         const JointRows& rows = joint(j);
         for (int i = 0; i < rows.count; ++i) {
             const double before = guarded_ ? 0 : static_cast<double>(rows.visits[i].impulse);
-            addAlong(j, rows.rows[i].j, impulse(j, i) - before, out);
+            addAlong(j, directionOf(rows, i), impulse(j, i) - before, out);
         }
         if (rows.turnMass > 0)
-            addAlong(j, rows.across, -static_cast<double>(rows.turnMass) * speed(j, rows.across), out);
+            addAlong(j, {rows.across}, -static_cast<double>(rows.turnMass) * speed(j, {rows.across}), out);
     }
 }
 
@@ -459,8 +501,9 @@ void DirectGroup::build(const std::vector<JointRows>& all, const std::vector<Mot
 {
     rows.clear();
     for (const std::uint32_t j : joints)
-        for (const std::uint32_t row : {all[j].rowA, all[j].rowB})
+        all[j].eachRow([&](std::uint32_t row) {
             if (motions[row].moves()) rows.push_back(row);
+        });
     std::sort(rows.begin(), rows.end());
     rows.erase(std::unique(rows.begin(), rows.end()), rows.end());
     const auto nodeOf = [&](std::uint32_t row) {
@@ -468,10 +511,23 @@ void DirectGroup::build(const std::vector<JointRows>& all, const std::vector<Mot
         return static_cast<int>(std::lower_bound(rows.begin(), rows.end(), row) - rows.begin());
     };
     nodes.clear();
+    moreNodes.clear();
+    moreFrom.clear();
     edges.clear();
+    const auto tie = [&](int a, int b) {
+        if (a >= 0 && b >= 0 && a != b) edges.emplace_back(a, b);
+    };
     for (const std::uint32_t j : joints) {
         nodes.emplace_back(nodeOf(all[j].rowA), nodeOf(all[j].rowB));
-        if (nodes.back().first >= 0 && nodes.back().second >= 0) edges.push_back(nodes.back());
+        tie(nodes.back().first, nodes.back().second);
+        moreFrom.push_back(moreNodes.size());
+        for (int k = 0; all[j].more && k < all[j].more->count; ++k) {
+            const int node = nodeOf(all[j].more->rows[k]);
+            tie(nodes.back().first, node);
+            tie(nodes.back().second, node);
+            for (std::size_t m = moreFrom.back(); m < moreNodes.size(); ++m) tie(moreNodes[m], node);
+            moreNodes.push_back(node);
+        }
     }
     const int count = static_cast<int>(rows.size());
     if (count == analyzedNodes && edges == analyzed) return;

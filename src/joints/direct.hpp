@@ -15,6 +15,8 @@ struct DirectGroup {
     std::vector<std::uint32_t> rows;      // of its bodies in the MotionTable, in order: the nodes
     std::vector<std::uint32_t> joints;    // places among the JointRows
     std::vector<BlockLdl::Edge> nodes;    // by joint: of its bodies; -1 for one that nothing moves
+    std::vector<int> moreNodes;           // of those beyond two, likewise, joint by joint
+    std::vector<std::size_t> moreFrom;    // by joint: where its own begin there
     BlockLdl matrix;
 
     // Of the half of a tick at hand, where ties at a distance resist turning: what the group has changed.

@@ -57,6 +57,7 @@ void measure(const PulleyJoint& kind, const JointPose& pose, JointRows& out);
 void measure(const MotorJoint& kind, const JointPose& pose, JointRows& out);
 void measure(const FrictionJoint& kind, const JointPose& pose, JointRows& out);
 inline void measure(const FilterJoint&, const JointPose&, JointRows&) {}
+inline void measure(const OwnJoint&, const JointPose&, JointRows&) {}  // own.hpp
 
 JointCoordinate coordinateOf(const RevoluteJoint& kind, const JointPose& pose);
 JointCoordinate coordinateOf(const DistanceJoint& kind, const JointPose& pose);
@@ -73,6 +74,10 @@ JointCoordinate coordinateOf(const PulleyJoint& kind, const JointPose& pose);
 JointCoordinate coordinateOf(const MotorJoint& kind, const JointPose& pose);
 JointCoordinate coordinateOf(const FrictionJoint& kind, const JointPose& pose);
 inline JointCoordinate coordinateOf(const FilterJoint&, const JointPose&)
+{
+    return {};
+}
+inline JointCoordinate coordinateOf(const OwnJoint&, const JointPose&)
 {
     return {};
 }

@@ -22,11 +22,32 @@ constexpr real kReturn = 20;  // [lengthUnit/s] or [rad/s]
 // Springs that swing faster than this in a tick are damped by it rather than followed [eq. 9].
 constexpr real kFastSpring = 1;  // [rad]
 
+// How an impulse along one row moves another.
 real complianceAlong(const Jacobian& j, const Jacobian& k, const Motion& a, const Motion& b)
 {
     return a.invMass.x * j.linearA.x * k.linearA.x + a.invMass.y * j.linearA.y * k.linearA.y +
            a.invInertia * j.turnA * k.turnA + b.invMass.x * j.linearB.x * k.linearB.x +
            b.invMass.y * j.linearB.y * k.linearB.y + b.invInertia * j.turnB * k.turnB;
+}
+
+// What a body beyond two adds to that.
+real complianceOf(const MoreBodies& more, int i, int k, int body, const Motion& m)
+{
+    const ConstraintRows::Part &p = more.parts[i][body], &q = more.parts[k][body];
+    return m.invMass.x * p.linear.x * q.linear.x + m.invMass.y * p.linear.y * q.linear.y +
+           m.invInertia * p.turn * q.turn;
+}
+
+real complianceBetween(const JointRows& joint, int i, int k, const BodyPair& bodies)
+{
+    return complianceAlong(joint.rows[i].j, joint.rows[k].j, bodies.a, bodies.b);
+}
+real complianceBetween(const JointRows& joint, int i, int k, const BodySet& bodies)
+{
+    real sum = complianceAlong(joint.rows[i].j, joint.rows[k].j, *bodies.motions[0], *bodies.motions[1]);
+    for (int body = 2; body < bodies.count; ++body)
+        sum += complianceOf(*joint.more, i, k, body - 2, *bodies.motions[body]);
+    return sum;
 }
 
 // The inverse of a symmetric block of up to three rows. A row that nothing moves, or that others
@@ -101,8 +122,9 @@ ConstraintRow& JointRows::add(RowKind kind, int slot, const Jacobian& j, real er
     return row;
 }
 
-void prepareRows(JointRows& joint, const Motion& a, const Motion& b)
+void prepareRows(JointRows& joint, const std::vector<Motion>& motions)
 {
+    const Motion &a = motions[joint.rowA], &b = motions[joint.rowB];
     joint.reach = maximum(a.extent, b.extent);
     for (int i = 0; i < joint.count; ++i)
         joint.rows[i].mass = complianceAlong(joint.rows[i].j, joint.rows[i].j, a, b);
@@ -110,6 +132,13 @@ void prepareRows(JointRows& joint, const Motion& a, const Motion& b)
     for (int i = 0; i < joint.rigid; ++i)
         for (int c = 0; c < joint.rigid; ++c)
             k[i][c] = complianceAlong(joint.rows[i].j, joint.rows[c].j, a, b);
+    for (int m = 0; joint.more && m < joint.more->count; ++m) {
+        const Motion& body = motions[joint.more->rows[m]];
+        joint.reach = maximum(joint.reach, body.extent);
+        for (int i = 0; i < joint.count; ++i) joint.rows[i].mass += complianceOf(*joint.more, i, i, m, body);
+        for (int i = 0; i < joint.rigid; ++i)
+            for (int c = 0; c < joint.rigid; ++c) k[i][c] += complianceOf(*joint.more, i, c, m, body);
+    }
     invertBlock(k, joint.rigid, joint.inverse);
 }
 
@@ -146,15 +175,15 @@ real fadeOf(const JointRows& joint, int i, const StepContext& context)
 
 }  // namespace
 
-real aimRows(JointRows& joint, const JointRows& ahead, const BodyMotion<real>& va, const BodyMotion<real>& vb,
-             const StepContext& context)
+template <class Bodies>
+real aimRows(JointRows& joint, const JointRows& ahead, const Bodies& bodies, const StepContext& context)
 {
     real most = 0;
     for (int i = 0; i < joint.count; ++i) {
         const ConstraintRow& row = joint.rows[i];
         RowVisit& visit = joint.visits[i];
         // What the way to `ahead` changes beyond the speed along the row, as that turns meanwhile.
-        const real curve = (ahead.rows[i].error - row.error) * context.invH - speedAlong(row.j, va, vb);
+        const real curve = (ahead.rows[i].error - row.error) * context.invH - speedOf(joint, i, bodies);
         const bool holds = row.kind == RowKind::Rigid || (row.kind == RowKind::Limit && row.error <= 0);
         visit.soft = holds && !joint.rigidly;
         if (row.kind == RowKind::Spring) {
@@ -169,6 +198,9 @@ real aimRows(JointRows& joint, const JointRows& ahead, const BodyMotion<real>& v
     }
     return most;
 }
+
+template real aimRows(JointRows&, const JointRows&, const BodyPair&, const StepContext&);
+template real aimRows(JointRows&, const JointRows&, const BodySet&, const StepContext&);
 
 void flattenRows(JointRows& joint, const StepContext& context)
 {
@@ -203,10 +235,12 @@ void settleRows(JointRows& joint, const StepContext& context)
 
 namespace {
 
-real solveOne(const ConstraintRow& row, RowVisit& visit, const Motion& a, const Motion& b,
-              BodyMotion<real>& va, BodyMotion<real>& vb)
+template <class Bodies>
+real solveOne(JointRows& joint, int i, Bodies& bodies)
 {
-    const real speed = speedAlong(row.j, va, vb);
+    const ConstraintRow& row = joint.rows[i];
+    RowVisit& visit = joint.visits[i];
+    const real speed = speedOf(joint, i, bodies);
     real wanted = 0;
     if (row.kind == RowKind::Spring)
         wanted =
@@ -216,7 +250,7 @@ real solveOne(const ConstraintRow& row, RowVisit& visit, const Motion& a, const 
     else if (row.mass > 0)
         wanted = visit.impulse - (speed + visit.bias) / row.mass;
     const real total = clamp(wanted, visit.low, visit.high), change = total - visit.impulse;
-    applyAlong(row.j, change, a, b, va, vb);
+    applyTo(joint, i, change, bodies);
     visit.impulse = total;
     return absolute(change) * row.mass;
 }
@@ -233,15 +267,15 @@ Demand demandOf(const ConstraintRow& row, const RowVisit& visit)
 }
 
 // Two rows of one force: asked together, and bounded by its strength.
-real solvePair(const JointRows& joint, RowVisit (&visits)[JointRows::kMost], int second, const Motion& a,
-               const Motion& b, BodyMotion<real>& va, BodyMotion<real>& vb)
+template <class Bodies>
+real solvePair(JointRows& joint, int second, Bodies& bodies)
 {
     const ConstraintRow &x = joint.rows[second - 1], &y = joint.rows[second];
-    RowVisit &ofX = visits[second - 1], &ofY = visits[second];
+    RowVisit &ofX = joint.visits[second - 1], &ofY = joint.visits[second];
     const Demand p = demandOf(x, ofX), q = demandOf(y, ofY);
-    const real between = complianceAlong(x.j, y.j, a, b);
-    const real wrongX = p.factor * ofX.impulse + p.weight * speedAlong(x.j, va, vb) + p.rest;
-    const real wrongY = q.factor * ofY.impulse + q.weight * speedAlong(y.j, va, vb) + q.rest;
+    const real between = complianceBetween(joint, second - 1, second, bodies);
+    const real wrongX = p.factor * ofX.impulse + p.weight * speedOf(joint, second - 1, bodies) + p.rest;
+    const real wrongY = q.factor * ofY.impulse + q.weight * speedOf(joint, second, bodies) + q.rest;
     const real xx = p.factor + p.weight * x.mass, yy = q.factor + q.weight * y.mass;
     const real xy = p.weight * between, yx = q.weight * between, determinant = xx * yy - xy * yx;
     real newX = ofX.impulse, newY = ofY.impulse;
@@ -261,22 +295,22 @@ real solvePair(const JointRows& joint, RowVisit (&visits)[JointRows::kMost], int
         newY = static_cast<real>(high / strength * static_cast<double>(newY));
     }
     const real changeX = newX - ofX.impulse, changeY = newY - ofY.impulse;
-    applyAlong(x.j, changeX, a, b, va, vb);
-    applyAlong(y.j, changeY, a, b, va, vb);
+    applyTo(joint, second - 1, changeX, bodies);
+    applyTo(joint, second, changeY, bodies);
     ofX.impulse = newX;
     ofY.impulse = newY;
     return maximum(absolute(changeX) * x.mass, absolute(changeY) * y.mass);
 }
 
 // What is rigid comes last and together: it is to hold.
-real solveRigid(JointRows& joint, const Motion& a, const Motion& b, BodyMotion<real>& va,
-                BodyMotion<real>& vb)
+template <class Bodies>
+real solveRigid(JointRows& joint, Bodies& bodies)
 {
     real most = 0, change[3] = {}, wrong[3] = {};
     for (int i = 0; i < joint.rigid; ++i) {
         const ConstraintRow& row = joint.rows[i];
         const RowVisit& visit = joint.visits[i];
-        wrong[i] = speedAlong(row.j, va, vb) + visit.bias;
+        wrong[i] = speedOf(joint, i, bodies) + visit.bias;
         const real left = visit.soft ? kFirm * wrong[i] + kLoose * visit.impulse * row.mass : wrong[i];
         most = maximum(most, row.angular ? absolute(left) * joint.reach : absolute(left));
         if (visit.soft) wrong[i] *= kFirm;
@@ -287,42 +321,65 @@ real solveRigid(JointRows& joint, const Motion& a, const Motion& b, BodyMotion<r
         if (visit.soft) change[i] -= kLoose * visit.impulse;
     }
     for (int i = 0; i < joint.rigid; ++i) {
-        applyAlong(joint.rows[i].j, change[i], a, b, va, vb);
+        applyTo(joint, i, change[i], bodies);
         joint.visits[i].impulse += change[i];
     }
     return most;
 }
 
-real visitRows(JointRows& joint, const Motion& a, const Motion& b, BodyMotion<real>& va, BodyMotion<real>& vb)
+template <class Bodies>
+real visitRows(JointRows& joint, Bodies& bodies)
 {
     real most = 0;
     for (int i = joint.rigid; i < joint.count; ++i) {
         const ConstraintRow& row = joint.rows[i];
         const bool isPair = i + 1 < joint.count && joint.rows[i + 1].pairBound;
-        const real change = isPair ? solvePair(joint, joint.visits, ++i, a, b, va, vb)
-                                   : solveOne(row, joint.visits[i], a, b, va, vb);
+        const real change = isPair ? solvePair(joint, ++i, bodies) : solveOne(joint, i, bodies);
         most = maximum(most, row.angular ? change * joint.reach : change);
     }
-    return maximum(most, solveRigid(joint, a, b, va, vb));
+    return maximum(most, solveRigid(joint, bodies));
 }
 
 bool isFinite(const BodyMotion<real>& v)
 {
     return isFinite(v.velocity) && std::isfinite(v.spin);
 }
+bool isFinite(const BodyPair& bodies)
+{
+    return isFinite(bodies.va) && isFinite(bodies.vb);
+}
+bool isFinite(const BodySet& bodies)
+{
+    bool all = true;
+    for (int k = 0; k < bodies.count; ++k) all = all && isFinite(bodies.velocities[k]);
+    return all;
+}
+
+void restore(BodyPair& bodies, const BodyPair& before)
+{
+    bodies.va = before.va;
+    bodies.vb = before.vb;
+}
+void restore(BodySet& bodies, const BodySet& before)
+{
+    bodies = before;
+}
 
 }  // namespace
 
-real solveRows(JointRows& joint, const Motion& a, const Motion& b, BodyMotion<real>& va, BodyMotion<real>& vb)
+template <class Bodies>
+real solveRows(JointRows& joint, Bodies& bodies)
 {
-    const BodyMotion<real> beforeA = va, beforeB = vb;
-    const real change = visitRows(joint, a, b, va, vb);
-    if (isFinite(va) && isFinite(vb)) return change;
+    const Bodies before = bodies;
+    const real change = visitRows(joint, bodies);
+    if (isFinite(bodies)) return change;
     // Beyond all numbers: the joint lets go for this visit.
-    va = beforeA;
-    vb = beforeB;
+    restore(bodies, before);
     for (RowVisit& visit : joint.visits) visit.impulse = 0;
     return 0;
 }
+
+template real solveRows(JointRows&, BodyPair&);
+template real solveRows(JointRows&, BodySet&);
 
 }  // namespace tamias2d::inline TAMIAS_PRECISION

@@ -17,8 +17,6 @@ struct Jacobian {
     Jacobian operator-() const { return {-linearA, -linearB, -turnA, -turnB}; }
 };
 
-enum class RowKind : std::uint8_t { Rigid, Spring, Motor, Limit };
-
 /// What a row is asked in the visits of the moment, and what it has answered.
 struct RowVisit {
     real bias = 0;               // the row asks for J v + bias = 0
@@ -44,9 +42,19 @@ struct ConstraintRow {
     real mass = 0;               // J M^-1 J^T             [1/kg] or [1/(kg*m^2)]
 };
 
+/// What a joint of one's own holds beyond two bodies, and its rows' directions there.
+struct MoreBodies {
+    static constexpr int kMost = ConstraintRows::kMostBodies - 2;
+
+    int count = 0;
+    std::uint32_t rows[kMost] = {};  // in the MotionTable
+    Vec2 arms[kMost];                // from the centers of mass to where it holds them   [m]
+    ConstraintRows::Part parts[ConstraintRows::kMostRows][kMost];
+};
+
 /// The rows of one joint in a tick. Rigid ones come first and are solved together.
 struct JointRows {
-    static constexpr int kMost = 6;
+    static constexpr int kMost = ConstraintRows::kMostRows;
 
     std::uint32_t joint = 0;             // slot
     std::uint32_t rowA = 0, rowB = 0;    // of its bodies in the MotionTable
@@ -63,8 +71,36 @@ struct JointRows {
     real distance = 0;  // between the anchors, of what ties them over it; else 0   [m]
     Jacobian across;  // what turns the line between them
     real turnMass = 0;  // with which that resists in this tick   [kg]   [eq. 13]
+    bool own = false;  // of a joint of one's own
+    MoreBodies* more = nullptr;  // beyond two
+    std::uint32_t faults = 0;  // of a joint of one's own, in this step
 
     ConstraintRow& add(RowKind kind, int slot, const Jacobian& j, real error, bool angular);
+
+    /// Each of its bodies, once: rows of the MotionTable.
+    template <class Visit>
+    void eachRow(Visit visit) const
+    {
+        visit(rowA);
+        if (rowB != rowA) visit(rowB);
+        for (int k = 0; more && k < more->count; ++k) visit(more->rows[k]);
+    }
+    /// Is there a body of which this is true?
+    template <class Test>
+    bool anyRow(Test test) const
+    {
+        bool found = false;
+        eachRow([&](std::uint32_t row) { found = found || test(row); });
+        return found;
+    }
+    /// The first of its bodies that can be pushed; there is one.
+    std::uint32_t movingRow(const std::vector<Motion>& motions) const
+    {
+        if (motions[rowA].moves()) return rowA;
+        for (int k = 0; more && k < more->count; ++k)
+            if (!motions[rowB].moves() && motions[more->rows[k]].moves()) return more->rows[k];
+        return rowB;
+    }
 };
 
 inline real speedAlong(const Jacobian& j, const BodyMotion<real>& a, const BodyMotion<real>& b)
@@ -81,17 +117,79 @@ inline void applyAlong(const Jacobian& j, real impulse, const Motion& a, const M
     vb.spin += b.invInertia * impulse * j.turnB;
 }
 
+/// The two bodies of a joint, and their velocities at hand.
+struct BodyPair {
+    const Motion &a, &b;
+    BodyMotion<real> va, vb;
+};
+
+/// The bodies of a joint of more than two, likewise.
+struct BodySet {
+    static constexpr int kMost = ConstraintRows::kMostBodies;
+
+    int count = 0;
+    const Motion* motions[kMost] = {};
+    BodyMotion<real> velocities[kMost];
+};
+
+/// `velocityOf` says the velocity of a row.
+template <class VelocityOf>
+BodySet bodySetOf(const JointRows& joint, const std::vector<Motion>& motions, VelocityOf velocityOf)
+{
+    BodySet set;
+    const auto add = [&](std::uint32_t row) {
+        set.motions[set.count] = &motions[row];
+        set.velocities[set.count++] = velocityOf(row);
+    };
+    add(joint.rowA);
+    add(joint.rowB);
+    for (int k = 0; joint.more && k < joint.more->count; ++k) add(joint.more->rows[k]);
+    return set;
+}
+
+inline real speedOf(const JointRows& joint, int i, const BodyPair& bodies)
+{
+    return speedAlong(joint.rows[i].j, bodies.va, bodies.vb);
+}
+inline real speedOf(const JointRows& joint, int i, const BodySet& bodies)
+{
+    real speed = speedAlong(joint.rows[i].j, bodies.velocities[0], bodies.velocities[1]);
+    for (int k = 2; k < bodies.count; ++k) {
+        const ConstraintRows::Part& part = joint.more->parts[i][k - 2];
+        speed += dot(part.linear, bodies.velocities[k].velocity) + part.turn * bodies.velocities[k].spin;
+    }
+    return speed;
+}
+
+/// The impulse of a row, added to the velocities of its bodies.
+inline void applyTo(const JointRows& joint, int i, real impulse, BodyPair& bodies)
+{
+    applyAlong(joint.rows[i].j, impulse, bodies.a, bodies.b, bodies.va, bodies.vb);
+}
+inline void applyTo(const JointRows& joint, int i, real impulse, BodySet& bodies)
+{
+    applyAlong(joint.rows[i].j, impulse, *bodies.motions[0], *bodies.motions[1], bodies.velocities[0],
+               bodies.velocities[1]);
+    for (int k = 2; k < bodies.count; ++k) {
+        const ConstraintRows::Part& part = joint.more->parts[i][k - 2];
+        const Motion& m = *bodies.motions[k];
+        bodies.velocities[k].velocity +=
+            {m.invMass.x * impulse * part.linear.x, m.invMass.y * impulse * part.linear.y};
+        bodies.velocities[k].spin += m.invInertia * impulse * part.turn;
+    }
+}
+
 /// Effective masses for the Jacobians at hand.
-void prepareRows(JointRows& joint, const Motion& a, const Motion& b);
+void prepareRows(JointRows& joint, const std::vector<Motion>& motions);
 
 /// Impulses and bounds as a tick begins.
 void startRows(JointRows& joint, const JointRow& carried, const StepContext& context);
 
 /// What the rows ask for before the drift: that their errors have faded at its end, where without further
-/// impulses they would be those of `ahead`, and the velocities are `va` and `vb` [eq. 4-9].
+/// impulses they would be those of `ahead`, and the velocities are those of `bodies` [eq. 4-9].
 /// Returns by how much that differs from what they were last asked for.   [m/s]
-real aimRows(JointRows& joint, const JointRows& ahead, const BodyMotion<real>& va, const BodyMotion<real>& vb,
-             const StepContext& context);
+template <class Bodies>
+real aimRows(JointRows& joint, const JointRows& ahead, const Bodies& bodies, const StepContext& context);
 
 /// What they ask for where the way ahead is not to be trusted: J v = 0.
 void flattenRows(JointRows& joint, const StepContext& context);
@@ -102,8 +200,8 @@ real predictedGive(const ConstraintRow& row, real impulse, real h);
 /// What they ask for after it: that nothing goes on moving apart [eq. 10].
 void settleRows(JointRows& joint, const StepContext& context);
 
-/// One visit; returns the greatest change of speed it made.   [m/s]
-real solveRows(JointRows& joint, const Motion& a, const Motion& b, BodyMotion<real>& va,
-               BodyMotion<real>& vb);
+/// One visit, of BodyPair or BodySet; returns the greatest change of speed it made.   [m/s]
+template <class Bodies>
+real solveRows(JointRows& joint, Bodies& bodies);
 
 }  // namespace tamias2d::inline TAMIAS_PRECISION

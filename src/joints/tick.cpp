@@ -19,9 +19,13 @@ void sortJoints(const JointTable& table, const MotionTable& motions, std::vector
         for (const std::uint32_t slot : table.of(m.body)) {
             const JointRow& joint = table.rows[slot];
             if (!joint.ties()) continue;
-            const std::uint32_t a = motions.rowOf[joint.bodyA], b = motions.rowOf[joint.bodyB];
-            if (a == MotionTable::kNone || b == MotionTable::kNone) continue;
-            if (motions.rows[a].moves() || motions.rows[b].moves()) order.push_back(slot);
+            bool areHere = true, moves = false;
+            joint.eachBody([&](std::uint32_t body) {
+                const std::uint32_t row = motions.rowOf[body];
+                areHere = areHere && row != MotionTable::kNone;
+                moves = moves || (areHere && motions.rows[row].moves());
+            });
+            if (areHere && moves) order.push_back(slot);
         }
     }
     std::sort(order.begin(), order.end(), [&](std::uint32_t i, std::uint32_t k) {
@@ -43,11 +47,14 @@ void groupBodies(const MotionTable& motions, JointSystem& system)
         return i;
     };
     for (const JointRows& joint : system.joints) {
-        for (const std::uint32_t row : {joint.rowA, joint.rowB})
-            if (motions.rows[row].moves() && group[row] == JointSystem::kNone) group[row] = row;
-        if (group[joint.rowA] == JointSystem::kNone || group[joint.rowB] == JointSystem::kNone) continue;
-        const std::uint32_t a = root(joint.rowA), b = root(joint.rowB);
-        if (a != b) group[maximum(a, b)] = minimum(a, b);
+        const std::uint32_t first = joint.movingRow(motions.rows);
+        joint.eachRow([&](std::uint32_t row) {
+            if (!motions.rows[row].moves()) return;
+            if (group[row] == JointSystem::kNone) group[row] = row;
+            if (group[first] == JointSystem::kNone) group[first] = first;
+            const std::uint32_t a = root(first), b = root(row);
+            if (a != b) group[maximum(a, b)] = minimum(a, b);
+        });
     }
 
     // A leader stands before all it leads, so its number is known when they ask for it.
@@ -63,10 +70,7 @@ void groupBodies(const MotionTable& motions, JointSystem& system)
     for (std::uint32_t& g : group)
         if (g != JointSystem::kNone) g = numbers[g];
     system.wholeGroups.assign(count, 0);
-    for (JointRows& joint : system.joints) {
-        const std::uint32_t a = group[joint.rowA];
-        joint.group = a != JointSystem::kNone ? a : group[joint.rowB];
-    }
+    for (JointRows& joint : system.joints) joint.group = group[joint.movingRow(motions.rows)];
 }
 
 // --- which groups are solved at once: docs/theory/joints.md, section 7
@@ -87,6 +91,21 @@ bool isHeavy(const Motion& a, const Motion& b)
     return p > 0 && q > 0 && (p > kHeavy * q || q > kHeavy * p);
 }
 
+bool isUneven(const JointRows& joint, const std::vector<Motion>& motions)
+{
+    if (!joint.more) return isHeavy(motions[joint.rowA], motions[joint.rowB]);
+    return joint.anyRow([&](std::uint32_t a) {
+        return joint.anyRow([&](std::uint32_t b) { return isHeavy(motions[a], motions[b]); });
+    });
+}
+
+// Does one visit leave something to another one, even where there is no other joint? A pulley has stops
+// beside its rope; one's own rows may be any.
+bool isOfSeveral(const JointRow& joint)
+{
+    return std::holds_alternative<PulleyJoint>(joint.def.kind) || blocksOf(joint.layout) > 1;
+}
+
 void chooseStiff(JointTable& table, const std::vector<Motion>& motions, JointSystem& system)
 {
     const std::size_t groups = system.wholeGroups.size();
@@ -99,9 +118,8 @@ void chooseStiff(JointTable& table, const std::vector<Motion>& motions, JointSys
         if (group != JointSystem::kNone) ++bodies[group];
     for (const JointRows& rows : system.joints) {
         JointRow& joint = table.rows[rows.joint];
-        members[rows.group] +=
-            std::holds_alternative<PulleyJoint>(joint.def.kind) ? 2 : 1;  // it has stops, too
-        if (isHeavy(motions[rows.rowA], motions[rows.rowB])) {
+        members[rows.group] += isOfSeveral(joint) ? 2 : 1;
+        if (isUneven(rows, motions)) {
             joint.stiffSteps = kHold;
             system.unevenGroups[rows.group] = 1;
         }
@@ -153,6 +171,15 @@ void addSteadyOf(const JointRows& joint, std::vector<Motion>& rows, ImpulseOf im
     for (int i = 0; i < joint.count; ++i) applyAlong(joint.rows[i].j, impulseOf(i), a, b, va, vb);
     if (a.moves()) a.steady = va.velocity, a.steadySpin = va.spin;
     if (b.moves()) b.steady = vb.velocity, b.steadySpin = vb.spin;
+    for (int k = 0; joint.more && k < joint.more->count; ++k) {
+        Motion& m = rows[joint.more->rows[k]];
+        for (int i = 0; i < joint.count; ++i) {
+            const ConstraintRows::Part& part = joint.more->parts[i][k];
+            const real impulse = impulseOf(i);
+            m.steady += {m.invMass.x * impulse * part.linear.x, m.invMass.y * impulse * part.linear.y};
+            m.steadySpin += m.invInertia * impulse * part.turn;
+        }
+    }
 }
 
 void addSteadyJoint(const JointTable& table, const JointRows& joint, std::vector<Motion>& rows)
@@ -174,11 +201,22 @@ void listJoints(JointTable& table, const BodyTable& bodies, const MotionTable& m
     system.joints.clear();
     system.fallbacks = 0;
     sortJoints(table, motions, system.order);
+    const auto hasMore = [&](std::uint32_t slot) { return !table.rows[slot].more.empty(); };
+    system.more.assign(
+        static_cast<std::size_t>(std::count_if(system.order.begin(), system.order.end(), hasMore)), {});
+    std::size_t more = 0;
     for (const std::uint32_t slot : system.order) {
+        const JointRow& joint = table.rows[slot];
         JointRows rows;
         rows.joint = slot;
-        rows.rowA = motions.rowOf[table.rows[slot].bodyA];
-        rows.rowB = motions.rowOf[table.rows[slot].bodyB];
+        rows.rowA = motions.rowOf[joint.bodyA];
+        rows.rowB = motions.rowOf[joint.bodyB];
+        rows.own = std::holds_alternative<OwnJoint>(joint.def.kind);
+        if (hasMore(slot)) {
+            rows.more = &system.more[more++];
+            for (const std::uint32_t body : joint.more)
+                rows.more->rows[rows.more->count++] = motions.rowOf[body];
+        }
         system.joints.push_back(rows);
     }
     groupBodies(motions, system);
@@ -187,6 +225,13 @@ void listJoints(JointTable& table, const BodyTable& bodies, const MotionTable& m
 }
 
 }  // namespace
+
+std::uint32_t JointSystem::countFaults() const
+{
+    std::uint32_t sum = ownFaults;
+    for (const JointRows& joint : joints) sum += joint.faults;
+    return sum;
+}
 
 void soften(JointSystem& system, std::size_t direct)
 {
@@ -206,6 +251,7 @@ void gatherJoints(JointTable& table, const BodyTable& bodies, const MotionTable&
         JointRow& joint = table.rows[old.joint];
         if (!bodies.rows[joint.bodyA].isAsleep() && !bodies.rows[joint.bodyB].isAsleep()) forgetSums(joint);
     }
+    system.ownFaults = 0;
     listJoints(table, bodies, motions, system);
     for (const JointRows& rows : system.joints) forgetSums(table.rows[rows.joint]);
 }
@@ -213,6 +259,7 @@ void gatherJoints(JointTable& table, const BodyTable& bodies, const MotionTable&
 void bringInJoints(JointTable& table, const BodyTable& bodies, MotionTable& motions, JointSystem& system,
                    std::size_t firstRow)
 {
+    system.ownFaults = system.countFaults();
     listJoints(table, bodies, motions, system);
     for (const JointRows& joint : system.joints) {
         if (joint.rowA < firstRow && joint.rowB < firstRow) continue;
@@ -228,10 +275,16 @@ void measureJoints(JointTable& table, const BodyTable& bodies, const MotionTable
     for (JointRows& rows : system.joints) {
         JointRow& joint = table.rows[rows.joint];
         const Motion &a = motions.rows[rows.rowA], &b = motions.rows[rows.rowB];
+        if (rows.own) {
+            followOwnCount(joint, motions);
+            if (!measureOwnNow(joint, bodies, motions, rows)) ++rows.faults;
+            prepareRows(rows, motions.rows);
+            continue;
+        }
         followCount(joint, a.angle, b.angle);
         const JointPose pose = poseOf(joint, bodies, a, b, placeOf(a), placeOf(b), joint.angle);
         measureJoint(joint.def.kind, pose, rows);
-        prepareRows(rows, a, b);
+        prepareRows(rows, motions.rows);
     }
 }
 
@@ -276,6 +329,12 @@ void guardLightBodies(const JointTable& table, const BodyTable& bodies, JointSys
         }
         system.pull[joint.rowA] += length(joint.armA) * length(onA);
         system.pull[joint.rowB] += length(joint.armB) * length(onB);
+        for (int k = 0; joint.more && k < joint.more->count; ++k) {
+            Vec2 on;
+            for (int i = 0; i < joint.count; ++i)
+                on += table.rows[joint.joint].impulses[joint.rows[i].slot] * joint.more->parts[i][k].linear;
+            system.pull[joint.more->rows[k]] += length(joint.more->arms[k]) * length(on);
+        }
         joint.turnMass = turnMassOf(joint, dot(onB, perpendicular(joint.across.linearB)), rows[joint.rowA],
                                     rows[joint.rowB], context);
     }
@@ -289,7 +348,7 @@ void guardLightBodies(const JointTable& table, const BodyTable& bodies, JointSys
         takeInertia(rows[i], used);
     }
     if (!changed) return;
-    for (JointRows& joint : system.joints) prepareRows(joint, rows[joint.rowA], rows[joint.rowB]);
+    for (JointRows& joint : system.joints) prepareRows(joint, rows);
 }
 
 void releaseGuard(const BodyTable& bodies, std::vector<Motion>& rows)
@@ -323,30 +382,50 @@ void startJoints(const JointTable& table, const BodyTable& bodies, const MotionT
 {
     for (std::size_t d = 0; d < system.directCount; ++d) system.direct[d].begins = true;
     for (JointRows& rows : system.joints) {
-        const Motion &a = motions.rows[rows.rowA], &b = motions.rows[rows.rowB];
         startRows(rows, table.rows[rows.joint], context);
-        aimJoint(table, bodies, motions, {a.velocity, a.spin}, {b.velocity, b.spin}, context, rows);
+        const auto velocityOf = [&](std::uint32_t row) {
+            return BodyMotion<real>{motions.rows[row].velocity, motions.rows[row].spin};
+        };
+        aimJoint(table, bodies, motions, velocityOf, context, rows);
     }
 }
 
-real aimJoint(const JointTable& table, const BodyTable& bodies, const MotionTable& motions,
-              const BodyMotion<real>& va, const BodyMotion<real>& vb, const StepContext& context,
-              JointRows& rows)
+real aimPair(const JointTable& table, const BodyTable& bodies, const BodyPair& pair,
+             const StepContext& context, JointRows& rows)
 {
     const JointRow& joint = table.rows[rows.joint];
-    const Motion &a = motions.rows[rows.rowA], &b = motions.rows[rows.rowB];
-    const BodyPlace placeA = placeAhead(a, va, context.h), placeB = placeAhead(b, vb, context.h);
+    const Motion &a = pair.a, &b = pair.b;
+    const BodyPlace placeA = placeAhead(a, pair.va, context.h), placeB = placeAhead(b, pair.vb, context.h);
     const double turned = joint.angle + (placeB.angle - b.angle) - (placeA.angle - a.angle);
     JointRows ahead;
     measureJoint(joint.def.kind, poseOf(joint, bodies, a, b, placeA, placeB, turned), ahead);
-    return aimRows(rows, ahead, va, vb, context);
+    return aimRows(rows, ahead, pair, context);
+}
+
+real aimOwn(const JointTable& table, const BodyTable& bodies, const BodySet& set, const StepContext& context,
+            JointRows& rows)
+{
+    JointRows ahead;
+    if (!measureOwnAhead(table.rows[rows.joint], bodies, set, context.h, ahead)) {
+        ++rows.faults;
+        for (int i = 0; i < rows.count; ++i)  // straight on
+            ahead.rows[i].error = rows.rows[i].error + context.h * speedOf(rows, i, set);
+    }
+    return aimRows(rows, ahead, set, context);
 }
 
 namespace {
 
 // What a visited joint did, added to the sums of the step.
-void tally(JointRow& joint, const JointRows& rows, const Motion& a, const Motion& b)
+void tally(JointRow& joint, const JointRows& rows, const std::vector<Motion>& motions)
 {
+    const auto velocityOf = [&](std::uint32_t row) {
+        return BodyMotion<real>{motions[row].velocity, motions[row].spin};
+    };
+    const auto speedOfRow = [&](int i) {
+        if (rows.more) return speedOf(rows, i, bodySetOf(rows, motions, velocityOf));
+        return speedAlong(rows.rows[i].j, velocityOf(rows.rowA), velocityOf(rows.rowB));
+    };
     for (int i = 0; i < rows.count; ++i) {
         const ConstraintRow& row = rows.rows[i];
         const real impulse = rows.visits[i].impulse;
@@ -354,9 +433,7 @@ void tally(JointRow& joint, const JointRows& rows, const Motion& a, const Motion
         joint.stepImpulse += impulse * row.j.linearB;
         joint.stepTurn += impulse * (row.j.turnB - cross(rows.armB, row.j.linearB));
         if (row.kind == RowKind::Motor)
-            joint.stepWork +=
-                static_cast<double>(impulse) *
-                static_cast<double>(speedAlong(row.j, {a.velocity, a.spin}, {b.velocity, b.spin}));
+            joint.stepWork += static_cast<double>(impulse) * static_cast<double>(speedOfRow(i));
     }
 }
 
@@ -364,8 +441,7 @@ void tally(JointRow& joint, const JointRows& rows, const Motion& a, const Motion
 
 void tallyJoints(JointTable& table, const JointSystem& system, const std::vector<Motion>& rows)
 {
-    for (const JointRows& joint : system.joints)
-        tally(table.rows[joint.joint], joint, rows[joint.rowA], rows[joint.rowB]);
+    for (const JointRows& joint : system.joints) tally(table.rows[joint.joint], joint, rows);
 }
 
 void turnSteadyJoints(JointSystem& system, std::vector<Motion>& rows, const StepContext& context)
@@ -386,7 +462,7 @@ void turnSteadyJoints(JointSystem& system, std::vector<Motion>& rows, const Step
 void keepJoints(JointTable& table, const JointSystem& system, const StepContext& context)
 {
     for (const JointRows& joint : system.joints) {
-        if (system.hit[joint.rowA] || system.hit[joint.rowB]) continue;
+        if (joint.anyRow([&](std::uint32_t row) { return system.hit[row] != 0; })) continue;
         JointRow& kept = table.rows[joint.joint];
         bool held[JointSlot::kLimits];
         std::copy(std::begin(kept.held), std::end(kept.held), std::begin(held));

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "joints/direct.hpp"
+#include "joints/own.hpp"
 #include "joints/pose.hpp"
 
 #include <vector>
@@ -31,6 +32,11 @@ struct JointSystem {
     std::vector<std::size_t> members, bodies, placeOf;   // by group, scratch
     std::vector<std::uint8_t> hit;           // by row: by an impact in this tick
     std::vector<real> pull;                  // by row, scratch: sum of tension times arm   [N*m*s]
+    std::vector<MoreBodies> more;            // of the joints that have more than two
+    std::uint32_t ownFaults = 0;             // of joints that have gone from the list in this step
+
+    /// Times in the step that a constraint of one's own had no answer, or none that can be.
+    std::uint32_t countFaults() const;
 
     bool empty() const { return joints.empty(); }
     /// Do joints alone change the velocity of the body in the two halves of this tick?
@@ -72,9 +78,20 @@ void startJoints(const JointTable& table, const BodyTable& bodies, const MotionT
                  const StepContext& context, JointSystem& system);
 
 /// What a joint aims at, for these velocities; returns by how much that changed.   [m/s]
+/// `velocityOf` says the velocity of a row.
+real aimPair(const JointTable& table, const BodyTable& bodies, const BodyPair& pair,
+             const StepContext& context, JointRows& rows);
+real aimOwn(const JointTable& table, const BodyTable& bodies, const BodySet& set, const StepContext& context,
+            JointRows& rows);
+template <class VelocityOf>
 real aimJoint(const JointTable& table, const BodyTable& bodies, const MotionTable& motions,
-              const BodyMotion<real>& va, const BodyMotion<real>& vb, const StepContext& context,
-              JointRows& rows);
+              VelocityOf velocityOf, const StepContext& context, JointRows& rows)
+{
+    if (rows.own) return aimOwn(table, bodies, bodySetOf(rows, motions.rows, velocityOf), context, rows);
+    const BodyPair pair{motions.rows[rows.rowA], motions.rows[rows.rowB], velocityOf(rows.rowA),
+                        velocityOf(rows.rowB)};
+    return aimPair(table, bodies, pair, context, rows);
+}
 
 /// After the drift, with the joints measured there: the second half of what they carry becomes `steady` of
 /// the bodies in halves, along the directions that it has now.

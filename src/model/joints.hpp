@@ -5,6 +5,8 @@
 
 #include <tamias2d/model/joint_defs.hpp>
 
+#include <algorithm>
+#include <iterator>
 #include <span>
 #include <vector>
 
@@ -34,6 +36,11 @@ struct JointRow {
     double notch = 0;  // of a ratchet: the number of the last tooth passed
     bool held[JointSlot::kLimits] = {};  // by each of its limits, at the end of the last tick
 
+    // Of a joint of one's own.
+    std::vector<std::uint32_t> more;  // slots of its bodies beyond two
+    std::vector<double> angles;  // by body: its own, turns counted   [rad]
+    std::uint32_t layout = 0;  // what rows it has: layoutOf(ConstraintRows)
+
     // Carried from tick to tick and from step to step.
     real impulses[JointSlot::kCount] = {};  // of the last tick   [N*s] or [N*m*s]
 
@@ -49,6 +56,17 @@ struct JointRow {
     bool acts() const { return def.enabled; }
     /// Does it act on how its bodies move?
     bool ties() const { return acts() && !std::holds_alternative<FilterJoint>(def.kind); }
+
+    void forgetLoads() { std::fill(std::begin(impulses), std::end(impulses), real(0)); }
+
+    /// Each of its bodies, once, in the order in which they were given: slots.
+    template <class Visit>
+    void eachBody(Visit visit) const
+    {
+        visit(bodyA);
+        if (bodyB != bodyA) visit(bodyB);
+        for (const std::uint32_t body : more) visit(body);
+    }
 };
 
 /// The joints of a world; a row is the slot of the joint's id.

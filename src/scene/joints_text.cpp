@@ -9,7 +9,7 @@ namespace {
 constexpr const char* kKinds[] = {"revolute", "distance", "prismatic", "weld",     "target",
                                   "wheel",    "groove",   "rotary",    "ratchet",  "gear",
                                   "rack",     "pulley",   "motor",     "friction", "filter"};
-static_assert(std::size(kKinds) == std::variant_size_v<JointKind>);
+static_assert(std::size(kKinds) + 1 == std::variant_size_v<JointKind>);  // all but OwnJoint
 
 template <std::size_t I>
 void readKind(ObjectReader& in, JointText& joint, const Node& node)
@@ -50,8 +50,11 @@ JointText readJoint(ObjectReader& in)
 OrderedJson jointJson(const JointDef& def, bool everything)
 {
     OrderedJson out = OrderedJson::object();
-    out[kKinds[def.kind.index()]] =
-        std::visit([&](const auto& kind) { return fieldsJson(kind, everything); }, def.kind);
+    const auto write = [&](const auto& kind) {
+        if constexpr (!std::is_same_v<decltype(kind), const OwnJoint&>)
+            out[kKinds[def.kind.index()]] = fieldsJson(kind, everything);
+    };
+    std::visit(write, def.kind);
     out.update(fieldsJson(def, everything));
     return out;
 }

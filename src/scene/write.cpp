@@ -75,6 +75,12 @@ std::string writeScene(const World& world, const SceneInfo& info, const SceneWri
     }
     for (const JointId id : world.joints()) {
         const JointDef def = handles.joint(id).definition();
+        if (const auto* own = std::get_if<OwnJoint>(&def.kind)) {
+            const std::size_t place = out.contains("joints") ? out["joints"].size() : 0;
+            fail(InputError("joints[" + std::to_string(place) + "]", std::string(own->name()),
+                            "must be of a built-in kind: a file holds no code"));
+            return {};
+        }
         OrderedJson joint = {{"bodyA", places.at(def.bodyA)}, {"bodyB", places.at(def.bodyB)}};
         joint.update(jointJson(def, options.everything));
         out["joints"].push_back(joint);

@@ -11,16 +11,38 @@ namespace {
 
 constexpr real kTrust = 1;   // change of what a joint aims at, after the last pass   [lengthUnit/s]
 
+// One visit to a joint of more than two bodies.
+template <class Velocity>
+real visitMany(JointRows& joint, const std::vector<Motion>& motions, std::vector<Velocity>& velocities)
+{
+    BodySet set = bodySetOf(joint, motions, [&](std::uint32_t row) { return velocityOf(velocities[row]); });
+    const real change = solveRows(joint, set);
+    int k = 0;
+    joint.eachRow([&](std::uint32_t row) {
+        if (set.motions[k]->moves()) setVelocity(velocities[row], set.velocities[k]);
+        ++k;
+    });
+    return change;
+}
+
 // One visit to a joint; returns the greatest change of speed.
 template <class Velocity>
 real visit(JointRows& joint, const std::vector<Motion>& motions, std::vector<Velocity>& velocities)
 {
-    const Motion &a = motions[joint.rowA], &b = motions[joint.rowB];
-    BodyMotion<real> va = velocityOf(velocities[joint.rowA]), vb = velocityOf(velocities[joint.rowB]);
-    const real change = solveRows(joint, a, b, va, vb);
-    if (a.moves()) setVelocity(velocities[joint.rowA], va);
-    if (b.moves()) setVelocity(velocities[joint.rowB], vb);
+    if (joint.more) return visitMany(joint, motions, velocities);
+    BodyPair pair{motions[joint.rowA], motions[joint.rowB], velocityOf(velocities[joint.rowA]),
+                  velocityOf(velocities[joint.rowB])};
+    const real change = solveRows(joint, pair);
+    if (pair.a.moves()) setVelocity(velocities[joint.rowA], pair.va);
+    if (pair.b.moves()) setVelocity(velocities[joint.rowB], pair.vb);
     return change;
+}
+
+// What a joint aims at, at these velocities; returns by how much that changed.
+real aim(const JointWorld& world, const std::vector<LaneRow>& velocities, JointRows& joint)
+{
+    const auto velocityAt = [&](std::uint32_t row) { return velocityOf(velocities[row]); };
+    return aimJoint(world.joints, world.bodies, world.motions, velocityAt, world.context, joint);
 }
 
 // One visit to a group at once; where that finds no solution, to its joints one by one.
@@ -49,16 +71,14 @@ void passOverJoints(const JointWorld& world, JointSystem& system, real restless,
 {
     const std::vector<Motion>& motions = world.motions.rows;
     const auto islandOf = [&](const JointRows& joint) {
-        return world.islands.islandOf[motions[joint.rowA].moves() ? joint.rowA : joint.rowB];
+        return world.islands.islandOf[joint.movingRow(motions)];
     };
     const auto isVisited = [&](const JointRows& joint) {
         return visited == nullptr || visited[islandOf(joint)] != 0;
     };
     for (JointRows& joint : system.joints) {
         if (!isVisited(joint)) continue;
-        if (visited != nullptr)
-            aimJoint(world.joints, world.bodies, world.motions, velocityOf(velocities[joint.rowA]),
-                     velocityOf(velocities[joint.rowB]), world.context, joint);
+        if (visited != nullptr) aim(world, velocities, joint);
         if (system.stiffGroups[joint.group]) continue;
         if (visit(joint, motions, velocities) > restless) unrest[islandOf(joint)] = 1;
     }
@@ -76,9 +96,7 @@ void flattenJoints(const JointWorld& world, JointSystem& system, std::vector<Lan
     std::vector<std::uint8_t>& lost = system.lostGroups;
     lost.assign(system.wholeGroups.size(), 0);
     for (JointRows& joint : system.joints) {
-        const real change =
-            aimJoint(world.joints, world.bodies, world.motions, velocityOf(velocities[joint.rowA]),
-                     velocityOf(velocities[joint.rowB]), world.context, joint);
+        const real change = aim(world, velocities, joint);
         if (!(change <= trusted)) lost[joint.group] = 1;
     }
     for (JointRows& joint : system.joints) {

@@ -54,10 +54,11 @@ void bringInPartners(ImpactStage& stage, const SleepGroup& sleepers, const StepC
     for (const std::uint32_t body : sleepers.bodies) {
         for (const std::uint32_t slot : stage.joints.of(body)) {
             const JointRow& joint = stage.joints.rows[slot];
-            const std::uint32_t other = joint.bodyA == body ? joint.bodyB : joint.bodyA;
-            const bool isMissing = stage.motions.rowOf[other] == MotionTable::kNone;
-            if (joint.ties() && isMissing && stage.world.bodies.rows[other].enabled)
-                enter(stage, other, context);
+            joint.eachBody([&](std::uint32_t other) {
+                const bool isMissing = stage.motions.rowOf[other] == MotionTable::kNone;
+                if (joint.ties() && isMissing && stage.world.bodies.rows[other].enabled)
+                    enter(stage, other, context);
+            });
         }
     }
 }

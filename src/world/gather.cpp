@@ -91,15 +91,16 @@ void World::Impl::gatherPartners()
         for (const std::uint32_t slot : joints.of(motions.rows[row].body)) {
             const JointRow& joint = joints.rows[slot];
             if (!joint.ties()) continue;
-            const std::uint32_t other = joint.bodyA == motions.rows[row].body ? joint.bodyB : joint.bodyA;
-            const BodyRow& b = bodies.rows[other];
-            if (!b.enabled || motions.rowOf[other] != MotionTable::kNone) continue;
-            if (!b.isAsleep()) {
-                still.push_back(other);
-            } else if (!asleep.groups[b.group].isMet) {
-                asleep.groups[b.group].isMet = true;
-                met.push_back(b.group);
-            }
+            joint.eachBody([&](std::uint32_t other) {
+                const BodyRow& b = bodies.rows[other];
+                if (!b.enabled || motions.rowOf[other] != MotionTable::kNone) return;
+                if (!b.isAsleep()) {
+                    still.push_back(other);
+                } else if (!asleep.groups[b.group].isMet) {
+                    asleep.groups[b.group].isMet = true;
+                    met.push_back(b.group);
+                }
+            });
         }
     }
     sortUnique(still);

@@ -179,7 +179,7 @@ struct World::Impl {
     ShapeId createShape(BodyId body, const ShapeDef& def);
     void shapeAdded(BodyRow& body, std::uint32_t slot);
     void destroyShape(std::uint32_t slot);
-    JointId createJoint(const JointDef& def);
+    JointId createJoint(const JointDef& def, std::uint32_t layout);
     void destroyJoint(std::uint32_t slot);
     void removeShape(std::uint32_t slot);
     void makeMassStale(std::uint32_t bodySlot);
@@ -196,7 +196,8 @@ struct World::Impl {
     ContactView view(const Contact& contact) const;
 
     // world/joint_checks.cpp
-    Complaint check(const JointDef& def) const;
+    /// Of a joint with that kind. `layout` becomes that of a constraint of one's own, else 0.
+    Complaint check(const JointDef& def, const JointKind& kind, std::uint32_t& layout) const;
 
     // world/parts.cpp: who takes part in steps, and what holds still.
     void tally(const BodyRow& body, bool comes);

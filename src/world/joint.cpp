@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <tamias2d/world/joint.hpp>
 
-#include "joints/kinds.hpp"
+#include "joints/own.hpp"
 #include "joints/reading.hpp"
 #include "world/impl.hpp"
 
@@ -82,6 +82,14 @@ BodyId Joint::bodyB() const
     return j.def.bodyB;
 }
 
+std::vector<BodyId> Joint::bodies() const
+{
+    TAMIAS_JOINT_ROW(j);
+    std::vector<BodyId> all;
+    if (w) j.eachBody([&](std::uint32_t body) { all.push_back(w->impl_->bodies.ids.id(body)); });
+    return all;
+}
+
 const std::string& Joint::name() const
 {
     TAMIAS_JOINT_ROW(j);
@@ -115,12 +123,15 @@ const JointKind& Joint::kind() const
 void Joint::setKind(const JointKind& kind)
 {
     TAMIAS_JOINT_ROW(j);
-    if (!w || refuse(check(kind, w->impl_->settings.lengthUnit))) return;
+    std::uint32_t layout = 0;
+    if (!w || refuse(w->impl_->check(j.def, kind, layout))) return;
     w->impl_->disturbJoint(id_.index);
-    if (kind.index() != j.def.kind.index()) std::fill(std::begin(j.impulses), std::end(j.impulses), real(0));
+    if (kind.index() != j.def.kind.index() || layout != j.layout) j.forgetLoads();
+    j.layout = layout;
     const bool counts = countsAlike(kind, j.def.kind);
     j.def.kind = kind;
     if (!counts) beginCount(j, w->impl_->row(j.def.bodyA).angle, w->impl_->row(j.def.bodyB).angle);
+    if (layout != 0 && j.angles.empty()) beginOwnCount(j, w->impl_->bodies);
 }
 
 bool Joint::isEnabled() const
@@ -140,9 +151,10 @@ void Joint::setEnabled(bool enabled)
             std::holds_alternative<GearJoint>(j.def.kind) || std::holds_alternative<RatchetJoint>(j.def.kind);
         if (enabled && counts)
             beginCount(j, w->impl_->row(j.def.bodyA).angle, w->impl_->row(j.def.bodyB).angle);
+        if (enabled && j.layout != 0) beginOwnCount(j, w->impl_->bodies);
     }
     if (enabled) j.broken = false;
-    if (!enabled) std::fill(std::begin(j.impulses), std::end(j.impulses), real(0));
+    if (!enabled) j.forgetLoads();
     j.def.enabled = enabled;
 }
 
@@ -215,6 +227,7 @@ Position Joint::anchorA() const
 {
     TAMIAS_JOINT_ROW(j);
     if (!w) return {};
+    if (j.layout != 0) return ownAnchorsOf(j, w->impl_->bodies).first;
     const JointFrames frames = framesOf(j.def.kind);
     return frames.place ? *frames.place : toWorld(w->body(j.def.bodyA).transform(), frames.anchorA);
 }
@@ -223,6 +236,7 @@ Position Joint::anchorB() const
 {
     TAMIAS_JOINT_ROW(j);
     if (!w) return {};
+    if (j.layout != 0) return ownAnchorsOf(j, w->impl_->bodies).second;
     return toWorld(w->body(j.def.bodyB).transform(), framesOf(j.def.kind).anchorB);
 }
 
@@ -230,6 +244,12 @@ JointReading Joint::reading() const
 {
     TAMIAS_JOINT_ROW(j);
     return w ? readJoint(j, w->impl_->bodies, w->impl_->stepTime) : JointReading{};
+}
+
+std::vector<JointRowReading> Joint::rowReadings() const
+{
+    TAMIAS_JOINT_ROW(j);
+    return w ? readRows(j, w->impl_->bodies, w->impl_->stepTime) : std::vector<JointRowReading>{};
 }
 
 void Joint::destroy()

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The rules of what a joint may be [R4].
 
+#include "joints/own.hpp"
 #include "world/impl.hpp"
 
 namespace tamias2d::inline TAMIAS_PRECISION {
@@ -306,6 +307,29 @@ Complaint checkKind(const FilterJoint&, real)
     return std::nullopt;
 }
 
+Complaint checkKind(const OwnJoint& k, real)
+{
+    return checkThat(!k.isNull(), "OwnJoint", "", "must be made of a constraint");
+}
+
+// Asks a constraint where its bodies are: what it answers now it must not answer later.
+Complaint checkAnswer(const OwnJoint& kind, const JointRow& joint, const BodyTable& bodies,
+                      std::uint32_t& layout)
+{
+    const std::string name(kind.name());
+    const OwnPose pose = ownPoseOf(joint, bodies);
+    ConstraintRows answer(pose.count);
+    std::string thrown;
+    askConstraint(kind, pose, answer, &thrown);
+    layout = layoutOf(answer);
+    const ConstraintRows::Problem& wrong = answer.problem();
+    if (!wrong.field) return std::nullopt;
+    if (std::string_view(wrong.field) == "measure")
+        return InputError(name + ".measure", textOf(thrown), wrong.rule);
+    const std::string row = wrong.row < 0 ? "position" : "rows[" + textOf(wrong.row) + "]";
+    return InputError(name + "." + row + "." + wrong.field, textOf(wrong.value), wrong.rule);
+}
+
 }  // namespace
 
 Complaint check(const JointKind& kind, real lengthUnit)
@@ -325,8 +349,17 @@ Complaint check(const JointBreaking& b)
         .first();
 }
 
-Complaint World::Impl::check(const JointDef& def) const
+Complaint World::Impl::check(const JointDef& def, const JointKind& kind, std::uint32_t& layout) const
 {
+    layout = 0;
+    const OwnJoint* const own = std::get_if<OwnJoint>(&kind);
+    const auto count = [&](std::size_t given) -> Complaint {
+        const std::size_t wanted = own ? static_cast<std::size_t>(own->bodies()) : 2;
+        return checkThat(given == wanted, "JointDef.moreBodies", given,
+                         own ? "must make " + textOf(wanted) + " bodies, as " + std::string(own->name()) +
+                                   " has"
+                             : std::string("must be empty: it has two bodies"));
+    };
     const auto textOfId = [](BodyId body) {
         return body.isNull() ? std::string("null")
                              : textOf(body.index) + " (generation " + textOf(body.generation) + ")";
@@ -338,14 +371,31 @@ Complaint World::Impl::check(const JointDef& def) const
         return complain("JointDef.bodyA", def.bodyA, "must be a live body of this world");
     if (!bodies.ids.owns(def.bodyB))
         return complain("JointDef.bodyB", def.bodyB, "must be a live body of this world");
-    if (def.bodyA == def.bodyB)
-        return complain("JointDef.bodyB", def.bodyB, "must be another body than bodyA");
-    if (!row(def.bodyA).isDynamic() && !row(def.bodyB).isDynamic())
-        return complain("JointDef.bodyB", def.bodyB, "must be dynamic, as bodyA is not");
-    return Checks()
-        .add(tamias2d::check(def.kind, settings.lengthUnit))
-        .add(tamias2d::check(def.breaking))
-        .first();
+    const bool isAlone = own && own->bodies() == 1;
+    if ((def.bodyA == def.bodyB) != isAlone)
+        return complain("JointDef.bodyB", def.bodyB,
+                        isAlone ? "must be the same body as bodyA" : "must be another body than bodyA");
+    bool isDynamic = row(def.bodyA).isDynamic() || row(def.bodyB).isDynamic();
+    JointRow joint;
+    joint.bodyA = def.bodyA.index;
+    joint.bodyB = def.bodyB.index;
+    for (const BodyId body : def.moreBodies) {
+        if (!bodies.ids.owns(body))
+            return complain("JointDef.moreBodies", body, "must be a live body of this world");
+        bool isNew = true;
+        joint.eachBody([&](std::uint32_t other) { isNew = isNew && other != body.index; });
+        if (!isNew) return complain("JointDef.moreBodies", body, "must be another body than all others");
+        joint.more.push_back(body.index);
+        isDynamic = isDynamic || row(body).isDynamic();
+    }
+    if (!isDynamic) return complain("JointDef.bodyB", def.bodyB, "must be dynamic, as bodyA is not");
+    Checks checks;
+    checks.add(tamias2d::check(kind, settings.lengthUnit)).add(tamias2d::check(def.breaking));
+    if (checks.first()) return checks.first();
+    if (Complaint wrong = count((isAlone ? 1 : 2) + def.moreBodies.size())) return wrong;
+    if (!own) return std::nullopt;
+    beginOwnCount(joint, bodies);
+    return checkAnswer(*own, joint, bodies, layout);
 }
 
 }  // namespace tamias2d::inline TAMIAS_PRECISION

@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: MIT
 // Joints come and go, and the calls of World and Body that say so.
 
+#include "joints/own.hpp"
 #include "world/impl.hpp"
 
 #include <algorithm>
 
 namespace tamias2d::inline TAMIAS_PRECISION {
 
-JointId World::Impl::createJoint(const JointDef& def)
+JointId World::Impl::createJoint(const JointDef& def, std::uint32_t layout)
 {
     const JointId joint = joints.ids.take();
     if (joint.index == joints.rows.size()) joints.rows.emplace_back();
@@ -16,9 +17,11 @@ JointId World::Impl::createJoint(const JointDef& def)
     j.def = def;
     j.bodyA = def.bodyA.index;
     j.bodyB = def.bodyB.index;
+    for (const BodyId body : def.moreBodies) j.more.push_back(body.index);
+    j.layout = layout;
     beginCount(j, bodies.rows[j.bodyA].angle, bodies.rows[j.bodyB].angle);
-    joints.tie(j.bodyA, joint.index);
-    joints.tie(j.bodyB, joint.index);
+    if (layout != 0) beginOwnCount(j, bodies);
+    j.eachBody([&](std::uint32_t body) { joints.tie(body, joint.index); });
     disturbJoint(joint.index);
     return joint;
 }
@@ -27,10 +30,10 @@ JointId World::Impl::createJoint(const JointDef& def)
 void World::Impl::disturbJoint(std::uint32_t slot)
 {
     uncoupledIsStale = true;
-    for (const std::uint32_t body : {joints.rows[slot].bodyA, joints.rows[slot].bodyB}) {
+    joints.rows[slot].eachBody([&](std::uint32_t body) {
         bodies.beginStillness(bodies.rows[body]);
         wake(body);
-    }
+    });
 }
 
 void World::Impl::listUncoupled()
@@ -42,7 +45,11 @@ void World::Impl::listUncoupled()
     for (std::uint32_t slot = 0; slot < joints.rows.size(); ++slot) {
         const JointRow& joint = joints.rows[slot];
         if (!joints.ids.isAlive(slot) || !joint.acts() || joint.def.collideConnected) continue;
-        uncoupled.emplace_back(minimum(joint.bodyA, joint.bodyB), maximum(joint.bodyA, joint.bodyB));
+        joint.eachBody([&](std::uint32_t a) {
+            joint.eachBody([&](std::uint32_t b) {
+                if (a < b) uncoupled.emplace_back(a, b);
+            });
+        });
     }
     std::sort(uncoupled.begin(), uncoupled.end());
 }
@@ -50,8 +57,7 @@ void World::Impl::listUncoupled()
 void World::Impl::destroyJoint(std::uint32_t slot)
 {
     disturbJoint(slot);
-    for (const std::uint32_t body : {joints.rows[slot].bodyA, joints.rows[slot].bodyB})
-        std::erase(joints.ofBody[body], slot);
+    joints.rows[slot].eachBody([&](std::uint32_t body) { std::erase(joints.ofBody[body], slot); });
     joints.rows[slot] = {};
     joints.ids.giveBack(slot);
 }
@@ -70,8 +76,9 @@ Complaint checkJointId(bool alive, const JointId& id)
 
 Joint World::createJoint(const JointDef& def)
 {
-    if (refuse(impl_->check(def))) return {};
-    return {this, impl_->createJoint(def)};
+    std::uint32_t layout = 0;
+    if (refuse(impl_->check(def, def.kind, layout))) return {};
+    return {this, impl_->createJoint(def, layout)};
 }
 
 void World::destroyJoint(JointId id)

@@ -41,6 +41,7 @@ MemoryReport World::Impl::memory() const
     std::size_t room = 0, jointLists = bytesOf(joints.ofBody);
     for (const SleepGroup& group : asleep.groups) room += group.contacts.capacity();
     for (const auto& list : joints.ofBody) jointLists += bytesOf(list);
+    for (const JointRow& joint : joints.rows) jointLists += bytesOfAll(joint.more, joint.angles);
     const TickRows& ticks = solverScratch.rows;
 
     MemoryReport all;

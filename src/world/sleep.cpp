@@ -46,6 +46,15 @@ bool hasRunningMotor(const JointKind& kind)
         kind);
 }
 
+// Of a joint of one's own.
+bool hasRunningMotor(const JointRows& joint)
+{
+    for (int i = 0; i < joint.count; ++i)
+        if (joint.rows[i].kind == RowKind::Motor && joint.rows[i].speed != 0 && joint.rows[i].most > 0)
+            return true;
+    return false;
+}
+
 // Disjoint sets of numbers; the lowest of each leads.
 class Sets {
 public:
@@ -195,10 +204,8 @@ void World::Impl::disturb(std::uint32_t slot)
     bodies.beginStillness(b);
     if (!b.canMove()) {
         wakeTouching(slot);
-        for (const std::uint32_t joint : joints.of(slot)) {
-            wake(joints.rows[joint].bodyA);
-            wake(joints.rows[joint].bodyB);
-        }
+        for (const std::uint32_t joint : joints.of(slot))
+            joints.rows[joint].eachBody([&](std::uint32_t body) { wake(body); });
     }
     wake(slot);
 }
@@ -237,9 +244,15 @@ bool World::Impl::sleepNow(std::uint32_t slot)
         const bool takePart = bodies.rows[a].enabled && bodies.rows[b].enabled;
         if (takePart && isBond(c) && bodies.rows[a].canMove() && bodies.rows[b].canMove()) sets.join(a, b);
     }
-    for (const JointRow& joint : joints.rows)
-        if (joint.ties() && bodies.rows[joint.bodyA].canMove() && bodies.rows[joint.bodyB].canMove())
-            sets.join(joint.bodyA, joint.bodyB);
+    for (const JointRow& joint : joints.rows) {
+        if (!joint.ties()) continue;
+        std::uint32_t first = BodyRow::kNoGroup;
+        joint.eachBody([&](std::uint32_t held) {
+            if (!bodies.rows[held].canMove()) return;
+            if (first == BodyRow::kNoGroup) first = held;
+            sets.join(first, held);
+        });
+    }
     const std::uint32_t leader = sets.leader(slot);
     std::vector<std::uint32_t> members;
     for (const std::uint32_t part : bodies.parts) {
@@ -385,22 +398,23 @@ void World::Impl::fallAsleep(const StepContext& context)
         if (isBond(c) && motions.rows[c.rowA].moves() && motions.rows[c.rowB].moves())
             sets.join(c.rowA, c.rowB);
     for (const JointRows& joint : jointSystem.joints)
-        if (motions.rows[joint.rowA].moves() && motions.rows[joint.rowB].moves())
-            sets.join(joint.rowA, joint.rowB);
+        joint.eachRow([&](std::uint32_t row) {
+            if (motions.rows[row].moves()) sets.join(joint.movingRow(motions.rows), row);
+        });
     std::vector<SleepScratch::Verdict>& verdicts = sleepScratch.verdicts;
     verdicts.assign(rows, {});
     for (const JointRows& joint : jointSystem.joints) {
-        const std::uint32_t pair[2] = {joint.rowA, joint.rowB};
-        const bool runs = hasRunningMotor(joints.rows[joint.joint].def.kind);
-        for (const int side : {0, 1}) {
-            const Motion &one = motions.rows[pair[side]], &other = motions.rows[pair[1 - side]];
-            if (!one.moves()) continue;
-            SleepScratch::Verdict& verdict = verdicts[sets.leader(pair[side])];
-            verdict.restless = verdict.restless || runs;
-            if (other.moves()) continue;
+        SleepScratch::Verdict& verdict = verdicts[sets.leader(joint.movingRow(motions.rows))];
+        const bool runs =
+            joint.own ? hasRunningMotor(joint) : hasRunningMotor(joints.rows[joint.joint].def.kind);
+        verdict.restless = verdict.restless || runs;
+        verdict.grounded = verdict.grounded || joint.rowA == joint.rowB;  // it is held by the world
+        joint.eachRow([&](std::uint32_t row) {
+            const Motion& other = motions.rows[row];
+            if (other.moves()) return;
             verdict.restless = verdict.restless || other.velocity != Vec2{} || other.spin != 0;
             verdict.grounded = true;
-        }
+        });
     }
     for (const Contact& c : contacts.rows) {
         if (!isBond(c)) continue;

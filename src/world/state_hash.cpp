@@ -5,6 +5,7 @@
 
 #include "base/hash.hpp"
 #include "geometry/bits.hpp"
+#include "joints/own.hpp"
 #include "world/impl.hpp"
 
 namespace tamias2d::inline TAMIAS_PRECISION {
@@ -229,6 +230,34 @@ void add(Hasher& hash, const FrictionJoint& k)
 
 void add(Hasher&, const FilterJoint&) {}
 
+// Of code its name.
+void add(Hasher& hash, const OwnJoint& k)
+{
+    add(hash, std::string(k.name()));
+}
+
+// And what it asks for now.
+void addRows(Hasher& hash, const JointRow& j, const BodyTable& bodies)
+{
+    if (j.layout == 0) return;
+    for (const std::uint32_t body : j.more) hash.add(std::uint64_t{body});
+    for (const double angle : j.angles) hash.add(angle);
+    JointRows rows;
+    MoreBodies more;
+    measureOwn(j, ownPoseOf(j, bodies), rows, &more);
+    for (int i = 0; i < rows.count; ++i) {
+        const ConstraintRow& row = rows.rows[i];
+        for (const real value :
+             {row.j.linearA.x, row.j.linearA.y, row.j.turnA, row.j.linearB.x, row.j.linearB.y, row.j.turnB,
+              row.error, row.stiffness, row.damping, row.speed, row.most})
+            hash.add(value);
+        for (std::size_t k = 0; k < j.more.size(); ++k)
+            for (const real value :
+                 {more.parts[i][k].linear.x, more.parts[i][k].linear.y, more.parts[i][k].turn})
+                hash.add(value);
+    }
+}
+
 void add(Hasher& hash, const JointRow& j)
 {
     hash.add((std::uint64_t{j.bodyA} << 32) | j.bodyB);
@@ -286,6 +315,7 @@ std::uint64_t World::stateHash() const noexcept
         if (!impl_->joints.ids.isAlive(slot)) continue;
         hash.add(std::uint64_t{slot});
         add(hash, impl_->joints.rows[slot]);
+        addRows(hash, impl_->joints.rows[slot], impl_->bodies);
     }
     return hash.value();
 }

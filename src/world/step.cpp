@@ -62,7 +62,12 @@ void linkTouching(const JointSystem& system, const MotionTable& motions, GraphSc
 {
     std::vector<Link>& links = graph.links;
     listLinks(graph, Nearness::Linked);
-    for (const JointRows& joint : system.joints) links.push_back({joint.rowA, joint.rowB});
+    for (const JointRows& joint : system.joints) {
+        links.push_back({joint.rowA, joint.rowB});
+        const std::uint32_t moving = joint.movingRow(motions.rows);
+        for (int k = 0; joint.more && k < joint.more->count; ++k)
+            links.push_back({moving, joint.more->rows[k]});
+    }
     const auto sameMotion = [&](std::uint32_t a, std::uint32_t b) {
         const Motion &ma = motions.rows[a], &mb = motions.rows[b];
         const bool still = ma.velocity == Vec2{} && mb.velocity == Vec2{} && ma.spin == 0 && mb.spin == 0;
@@ -140,15 +145,14 @@ void World::Impl::breakJoints()
         if (!isOver) continue;
         if (joint.overTime <
             static_cast<double>(joint.def.breaking.window) - rounding) {  // it may yet: nobody sleeps
-            bodies.beginStillness(bodies.rows[joint.bodyA]);
-            bodies.beginStillness(bodies.rows[joint.bodyB]);
+            joint.eachBody([&](std::uint32_t body) { bodies.beginStillness(bodies.rows[body]); });
             continue;
         }
         joint.overTime = 0;
         joint.def.enabled = false;
         joint.broken = true;
         uncoupledIsStale = true;
-        std::fill(std::begin(joint.impulses), std::end(joint.impulses), real(0));
+        joint.forgetLoads();
         breaks.push_back({joints.ids.id(slot), joint.def.bodyA, joint.def.bodyB, reading.force,
                           reading.torque, reading.error});
     }
@@ -311,6 +315,7 @@ StepReport World::Impl::step(double dt, int substeps)
     r.joints = static_cast<std::uint32_t>(jointSystem.joints.size());
     r.stiffGroups = static_cast<std::uint32_t>(jointSystem.directCount);
     r.stiffFallbacks = jointSystem.fallbacks;
+    r.jointFaults = jointSystem.countFaults();
     r.islands = graph.islands.count();
     r.times.finalize = watch.lap();
     r.times.total = whole.lap();

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // What is written reads back the same, to the bit.
 #include "support/build.hpp"
+#include "support/own_joints.hpp"
 #include "support/traces.hpp"
 
 #include <tamias2d/scene/builtin.hpp>
@@ -360,6 +361,26 @@ TEST(SceneRoundTrip, AGearThatHasTurnedSeveralTimesGoesOnAtTheSameTurn)
         EXPECT_NEAR(std::remainder(a.position - b.position, 2 * kPi), 0, 1e-4) << "joint " << i;
         EXPECT_NEAR(static_cast<double>(b.angularError), 0, 1e-4) << "joint " << i;
     }
+}
+
+TEST(SceneRoundTrip, AJointOfOnesOwnIsRefusedByItsName)
+{
+    TRACES("R4", "LC3", "ADR14");
+    World world(weightless());
+    Body a = addDisc(world, {0, 0}, 0.5), b = addDisc(world, {2, 0}, 0.5), c = addDisc(world, {4, 0}, 0.5);
+    world.createJoint(revoluteAt(a, b, {1, 0}));
+    Joint own = world.createJoint(Differential{}, a, b, c);
+    const std::uint64_t before = world.stateHash();
+    try {
+        writeScene(world);
+        ADD_FAILURE() << "was written";
+    } catch (const InputError& error) {
+        EXPECT_STREQ(error.what(),
+                     "joints[1] = Differential: must be of a built-in kind: a file holds no code");
+    }
+    EXPECT_EQ(world.stateHash(), before);
+    own.destroy();
+    EXPECT_EQ(readScene(writeScene(world)).world->jointCount(), 1u);
 }
 
 TEST(SceneRoundTrip, PolygonsMayBeGivenInAnyOrder)

@@ -4,16 +4,15 @@
 
 #include <tamias2d/base/ids.hpp>
 #include <tamias2d/math/transform.hpp>
+#include <tamias2d/model/constraint.hpp>
 
 #include <cstdint>
 #include <optional>
 #include <string>
 #include <variant>
+#include <vector>
 
 namespace tamias2d::inline TAMIAS_PRECISION {
-
-/// No bound: of a force, a length or a threshold. So much of anything is as good as without end.
-inline constexpr real kUnlimited = real(1e30);
 
 /// How far a joint may go. In radians for a turning joint (several turns are counted), in metres along an
 /// axis.
@@ -227,7 +226,7 @@ struct FilterJoint {
 /// One of the kinds.
 using JointKind = std::variant<RevoluteJoint, DistanceJoint, PrismaticJoint, WeldJoint, TargetJoint,
                                WheelJoint, GrooveJoint, RotaryJoint, RatchetJoint, GearJoint, RackJoint,
-                               PulleyJoint, MotorJoint, FrictionJoint, FilterJoint>;
+                               PulleyJoint, MotorJoint, FrictionJoint, FilterJoint, OwnJoint>;
 
 /// When a joint breaks: by what it bears on average over a step, or by how far it has given way at its end.
 /// It does so at the end of the first step in which one of these has been exceeded in every step for `window`
@@ -243,13 +242,16 @@ struct JointBreaking {
 
 /// What a new joint is like.
 struct JointDef {
-    BodyId bodyA = {}, bodyB = {};  ///< two bodies of the world, at least one of them dynamic
+    BodyId bodyA = {}, bodyB = {};  ///< two bodies of the world, at least one of all dynamic
     JointKind kind = RevoluteJoint{};
     bool collideConnected = false;  ///< may the two bodies touch each other?
     bool enabled = true;  ///< a joint that is not does nothing
     JointBreaking breaking = {};
     std::string name = {};  ///< for messages and scene files; need not be unique
     std::uint64_t userData = 0;  ///< yours
+    /// Of a joint of your own, those beyond two: constraintOf lists them. One on a single body has that as
+    /// both A and B.
+    std::vector<BodyId> moreBodies = {};
 };
 
 /// At which of its limits a joint is.
@@ -269,6 +271,17 @@ struct JointReading {
     real motorPower = 0;  ///< given to the bodies, averaged                       [W]
     real springForce = 0;  ///< averaged                                            [N] or [N*m]
     double springEnergy = 0;  ///< stored now                                          [J]
+};
+
+/// What one row of a joint did in the last step, and where it is now.
+struct JointRowReading {
+    RowKind kind = RowKind::Rigid;
+    bool angular = false;  ///< it is about angles: rad, N*m
+    real error =
+        0;  ///< C; of a limit the room that is left; 0 of a motor                        [m] or [rad]
+    real speed =
+        0;  ///< how fast C grows                                                     [m/s] or [rad/s]
+    real force = 0;  ///< along the row, averaged: > 0 makes C grow; the motor's, the spring's   [N] or [N*m]
 };
 
 }  // namespace tamias2d::inline TAMIAS_PRECISION

@@ -4,6 +4,7 @@
 #include <tamias2d/model/joint_defs.hpp>
 
 #include <string_view>
+#include <vector>
 
 namespace tamias2d::inline TAMIAS_PRECISION {
 
@@ -25,16 +26,17 @@ public:
     JointDef definition() const;
     BodyId bodyA() const;
     BodyId bodyB() const;
+    std::vector<BodyId> bodies() const;  ///< all, in the order in which they were given
     const std::string& name() const;
     void setName(std::string_view name);
     std::uint64_t userData() const;
     void setUserData(std::uint64_t value);
 
     const JointKind& kind() const;
-    /// Other parameters, or even another kind; what the joint bears goes on where it can.
+    /// Other parameters, or even another kind for as many bodies; what the joint bears goes on where it can.
     void setKind(const JointKind& kind);
-    bool isEnabled() const;           ///< a joint that broke is not
-    void setEnabled(bool enabled);    ///< mends a broken joint, where its bodies are now
+    bool isEnabled() const;  ///< a joint that broke is not
+    void setEnabled(bool enabled);  ///< mends a broken joint, where its bodies are now
     bool isBroken() const;
     bool collidesConnected() const;
     void setCollideConnected(bool collide);  ///< from the next step on
@@ -42,12 +44,15 @@ public:
     void setBreaking(const JointBreaking& breaking);
 
     // Shorthands for one number of the kind; refused by a kind that has no such thing.
-    void setMotorSpeed(real speed);                 ///< [m/s] or [rad/s]   the motor must be there
-    void setTarget(Position target);                ///< of a TargetJoint                  [m]
+    void setMotorSpeed(real speed);  ///< [m/s] or [rad/s]   the motor must be there
+    void setTarget(Position target);  ///< of a TargetJoint                  [m]
 
-    Position anchorA() const;         ///< where it holds A now; a target's place   [m]
-    Position anchorB() const;         ///< where it holds B now                     [m]
-    JointReading reading() const;     ///< forces of the last step; the rest as it is now
+    Position anchorA() const;  ///< where it holds A now; a target's place   [m]
+    Position anchorB() const;  ///< where it holds B now                     [m]
+    JointReading reading() const;  ///< forces of the last step; the rest as it is now
+    /// The same of each of its rows: rigid ones first, else in the order in which a constraint of your own
+    /// takes them down. Empty if it does not act.
+    std::vector<JointRowReading> rowReadings() const;
 
     void destroy();
 

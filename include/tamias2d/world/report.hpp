@@ -43,6 +43,7 @@ struct StepReport {
     std::uint32_t stiffGroups = 0;  ///< groups of joints that were solved at once
     std::uint32_t stiffFallbacks = 0;  ///< visits to such a group that found no solution: joints one by one
     std::uint32_t nonFinite = 0;  ///< bodies set aside (disabled) as a value of theirs was no number
+    std::uint32_t jointFaults = 0;  ///< answers of joints of your own that threw or were none that can be
     std::uint32_t forceLawFaults = 0;  ///< force laws that threw or returned no number
     double deepestOverlap = 0;  ///< of bodies awake, at the end of the step   [m]   >= 0
     ClampCounts clamps;

@@ -14,6 +14,8 @@
 #include <tamias2d/world/memory.hpp>
 #include <tamias2d/world/report.hpp>
 
+#include <concepts>
+#include <iterator>
 #include <memory>
 #include <optional>
 #include <span>
@@ -23,6 +25,11 @@
 namespace tamias2d::inline TAMIAS_PRECISION {
 
 class World;
+class Body;
+
+/// The definition of a joint of your own on bodies, for a name, breaking and such.
+template <class T, std::same_as<Body>... More>
+JointDef constraintOf(const T& constraint, const Body& first, const More&... more);
 
 /// A reference to one shape of one World, cheap to copy; the twin of Body. Store a ShapeId.
 ///
@@ -191,6 +198,13 @@ public:
     std::size_t bodyCount() const noexcept;
     std::size_t shapeCount() const noexcept;
     Joint createJoint(const JointDef& def);
+    /// A joint of your own, on as many bodies as the constraint says: docs/guide/own-joints.md. What its
+    /// function throws or answers wrongly is refused as all bad input.
+    template <class T, std::same_as<Body>... More>
+    Joint createJoint(const T& constraint, const Body& first, const More&... more)
+    {
+        return createJoint(constraintOf(constraint, first, more...));
+    }
     void destroyJoint(JointId id);
     Joint joint(JointId id);  ///< refuses a dead id
     std::optional<Joint> findJoint(JointId id) noexcept;  ///< empty if dead
@@ -260,5 +274,19 @@ private:
     struct Impl;
     std::unique_ptr<Impl> impl_;
 };
+
+template <class T, std::same_as<Body>... More>
+JointDef constraintOf(const T& constraint, const Body& first, const More&... more)
+{
+    if constexpr (CountsBodies<T>)
+        static_assert(T::bodies == 1 + sizeof...(More), "give as many bodies as the constraint has");
+    const BodyId ids[] = {first.id(), more.id()...};
+    JointDef def;
+    def.kind = OwnJoint(constraint);
+    def.bodyA = ids[0];
+    def.bodyB = ids[std::size(ids) > 1 ? 1 : 0];
+    if constexpr (sizeof...(More) > 1) def.moreBodies.assign(std::begin(ids) + 2, std::end(ids));
+    return def;
+}
 
 }  // namespace tamias2d::inline TAMIAS_PRECISION
