@@ -26,7 +26,7 @@ struct Differential {
     void measure(std::span<const ConstraintBody> at, ConstraintRows& rows) const
     {
         const real half = real(0.5);
-        rows.rigid((at[0].angle + at[1].angle) / 2 - at[2].angle).turn(0, half).turn(1, half).turn(2, -1);
+        rows.rigid((at[0].turned + at[1].turned) / 2 - at[2].turned).turn(0, half).turn(1, half).turn(2, -1);
     }
 };
 

@@ -196,7 +196,7 @@ void validateJointState(const JointRow& j, Faults& faults)
     faults.finite("angle", j.angle);
     faults.finite("angleA", j.angleA);
     faults.finite("notch", j.notch);
-    for (const double angle : j.angles) faults.finite("angles", angle);
+    for (const CountedAngle& angle : j.angles) faults.finite("angles", angle.now - angle.start);
     for (const real impulse : j.impulses) faults.finite("impulses", impulse);
     for (int i = JointSlot::kLower; i < JointSlot::kLower + JointSlot::kLimits; ++i)
         faults.that(j.impulses[i] >= 0, "impulses", j.impulses[i], "must not pull of a limit");

@@ -6,6 +6,8 @@
 
 #include "joints/direct.hpp"
 
+#include "math/lane.hpp"
+
 #include <tamias2d/math/scalar.hpp>
 
 #include <algorithm>
@@ -63,25 +65,18 @@ private:
         return group_.impulses[j * JointRows::kMost + static_cast<std::size_t>(i)];
     }
 
-    // A row's direction in the space of all bodies of its joint.
-    struct Direction {
-        const Jacobian& pair;
-        const ConstraintRows::Part* more = nullptr;
-        int count = 0;  // of more
-    };
-    static Direction directionOf(const JointRows& rows, int i)
-    {
-        if (!rows.more) return {rows.rows[i].j};
-        return {rows.rows[i].j, rows.more->parts[i], rows.more->count};
-    }
+    void load(const std::vector<BodyMotion<real>>& velocities);
+    double speed(std::size_t j, const Jacobian& direction) const;
+    void addAlong(std::size_t j, const Jacobian& direction, double amount, std::vector<double>& out) const;
+    double speedOf(std::size_t j, int i) const;
+    void addAlongRow(std::size_t j, int i, double amount, std::vector<double>& out) const;
+    double speedOfMore(std::size_t j, int i) const;
+    void addAlongMore(std::size_t j, int i, double amount, std::vector<double>& out) const;
+    void addMore(std::size_t j, int i, double weight);
     int moreNode(std::size_t j, int k) const
     {
         return group_.moreNodes[group_.moreFrom[j] + static_cast<std::size_t>(k)];
     }
-
-    void load(const std::vector<BodyMotion<real>>& velocities);
-    double speed(std::size_t j, const Direction& direction) const;
-    void addAlong(std::size_t j, const Direction& direction, double amount, std::vector<double>& out) const;
     double wantedBy(std::size_t j, int i) const;
     bool answer();
     void answerPair(std::size_t j, int second, const double (&wanted)[JointRows::kMost]);
@@ -96,7 +91,7 @@ private:
     bool soften(const std::vector<BodyMotion<real>>& velocities);
     bool repeat(int times);
     bool converge();
-    void addRow(std::size_t j, const Direction& direction, double weight);
+    void addRow(const Jacobian& jacobian, int nodeA, int nodeB, double weight);
 
     void takeBack();
 
@@ -159,7 +154,7 @@ void DirectSolver::takeBack()
         given.assign(group_.start.size(), 0);
         for (std::size_t j = 0; j < group_.joints.size(); ++j)
             for (int i = 0; i < joint(j).count; ++i)
-                addAlong(j, directionOf(joint(j), i), static_cast<double>(joint(j).visits[i].impulse), given);
+                addAlongRow(j, i, static_cast<double>(joint(j).visits[i].impulse), given);
         for (std::size_t n = 0; n < group_.rows.size(); ++n) {
             double mass[3];
             fillMasses(motions_[group_.rows[n]], mass);
@@ -170,27 +165,20 @@ void DirectSolver::takeBack()
 }
 
 // Adds an amount along a direction in the space of velocities.
-void DirectSolver::addAlong(std::size_t j, const Direction& direction, double amount,
-                            std::vector<double>& out) const
+TAMIAS_INLINE void DirectSolver::addAlong(std::size_t j, const Jacobian& direction, double amount,
+                                          std::vector<double>& out) const
 {
     const JointRows& rows = all_[group_.joints[j]];
     const auto [nodeA, nodeB] = group_.nodes[j];
     double onA[3], onB[3];
-    fillJacobian(direction.pair, motions_[rows.rowA], motions_[rows.rowB], onA, onB);
+    fillJacobian(direction, motions_[rows.rowA], motions_[rows.rowB], onA, onB);
     for (std::size_t c = 0; c < 3; ++c) {
         if (nodeA >= 0) out[3 * static_cast<std::size_t>(nodeA) + c] += onA[c] * amount;
         if (nodeB >= 0) out[3 * static_cast<std::size_t>(nodeB) + c] += onB[c] * amount;
     }
-    for (int k = 0; k < direction.count; ++k) {
-        const int node = moreNode(j, k);
-        if (node < 0) continue;
-        double on[3];
-        fillPart(direction.more[k], motions_[rows.more->rows[k]], on);
-        for (std::size_t c = 0; c < 3; ++c) out[3 * static_cast<std::size_t>(node) + c] += on[c] * amount;
-    }
 }
 
-double DirectSolver::speed(std::size_t j, const Direction& direction) const
+double DirectSolver::speed(std::size_t j, const Jacobian& direction) const
 {
     const auto part = [&](int node, std::uint32_t motion, Vec2 linear, real turn) {
         const double spin = static_cast<double>(turn);
@@ -203,20 +191,63 @@ double DirectSolver::speed(std::size_t j, const Direction& direction) const
     };
     const JointRows& rows = all_[group_.joints[j]];
     const auto [a, b] = group_.nodes[j];
-    double sum = part(a, rows.rowA, direction.pair.linearA, direction.pair.turnA) +
-                 part(b, rows.rowB, direction.pair.linearB, direction.pair.turnB);
-    for (int k = 0; k < direction.count; ++k)
-        sum += part(moreNode(j, k), rows.more->rows[k], direction.more[k].linear, direction.more[k].turn);
+    return part(a, rows.rowA, direction.linearA, direction.turnA) +
+           part(b, rows.rowB, direction.linearB, direction.turnB);
+}
+
+// Likewise, of a row with all bodies that it has.
+TAMIAS_INLINE void DirectSolver::addAlongRow(std::size_t j, int i, double amount,
+                                             std::vector<double>& out) const
+{
+    const JointRows& rows = all_[group_.joints[j]];
+    addAlong(j, rows.rows[i].j, amount, out);
+    if (rows.more) addAlongMore(j, i, amount, out);
+}
+
+void DirectSolver::addAlongMore(std::size_t j, int i, double amount, std::vector<double>& out) const
+{
+    const MoreBodies& more = *all_[group_.joints[j]].more;
+    for (int k = 0; k < more.count; ++k) {
+        const int node = moreNode(j, k);
+        if (node < 0) continue;
+        double on[3];
+        fillPart(more.parts[i][k], motions_[more.rows[k]], on);
+        for (std::size_t c = 0; c < 3; ++c) out[3 * static_cast<std::size_t>(node) + c] += on[c] * amount;
+    }
+}
+
+TAMIAS_INLINE double DirectSolver::speedOf(std::size_t j, int i) const
+{
+    const JointRows& rows = all_[group_.joints[j]];
+    const double pair = speed(j, rows.rows[i].j);
+    return rows.more ? pair + speedOfMore(j, i) : pair;
+}
+
+double DirectSolver::speedOfMore(std::size_t j, int i) const
+{
+    const MoreBodies& more = *all_[group_.joints[j]].more;
+    double sum = 0;
+    for (int k = 0; k < more.count; ++k) {
+        const ConstraintRows::Part& part = more.parts[i][k];
+        const Motion& m = motions_[more.rows[k]];
+        const int node = moreNode(j, k);
+        double v[3] = {static_cast<double>(m.velocity.x), static_cast<double>(m.velocity.y),
+                       static_cast<double>(m.spin)};
+        for (std::size_t c = 0; node >= 0 && c < 3; ++c)
+            v[c] = group_.velocity[3 * static_cast<std::size_t>(node) + c];
+        sum += static_cast<double>(part.linear.x) * v[0] + static_cast<double>(part.linear.y) * v[1] +
+               static_cast<double>(part.turn) * v[2];
+    }
     return sum;
 }
 
 // The impulse that a row answers to the velocity at hand, were it not for its bounds.
-double DirectSolver::wantedBy(std::size_t j, int i) const
+TAMIAS_INLINE double DirectSolver::wantedBy(std::size_t j, int i) const
 {
     const JointRows& rows = all_[group_.joints[j]];
     const double before = group_.before[j * JointRows::kMost + static_cast<std::size_t>(i)];
     const Answer a = answerOf(rows.rows[i], rows.visits[i], before, ropeGamma_);
-    return a.at - a.slope * speed(j, directionOf(rows, i));
+    return a.at - a.slope * speedOf(j, i);
 }
 
 // The impulses that the rows answer to the velocity at hand; true if each is as free as it was, or at the
@@ -261,35 +292,51 @@ void DirectSolver::answerPair(std::size_t j, int second, const double (&wanted)[
     impulse(j, second) = part * both.y;
 }
 
-void DirectSolver::addRow(std::size_t j, const Direction& direction, double weight)
+TAMIAS_INLINE void addProduct(BlockLdl::Block& block, double weight, const double (&x)[3],
+                              const double (&y)[3])
+{
+    for (int r = 0; r < 3; ++r)
+        for (int c = 0; c < 3; ++c) block.a[3 * r + c] += weight * x[r] * y[c];
+}
+
+// Of two nodes, if something moves both; a body that is alone in its joint is there twice.
+TAMIAS_INLINE void addBetween(BlockLdl& matrix, double weight, int nodeA, const double (&onA)[3], int nodeB,
+                              const double (&onB)[3])
+{
+    if (nodeA < 0 || nodeB < 0 || nodeA == nodeB) return;
+    const auto [block, transposed] = matrix.between(nodeA, nodeB);
+    if (transposed)
+        addProduct(*block, weight, onB, onA);
+    else
+        addProduct(*block, weight, onA, onB);
+}
+
+void DirectSolver::addRow(const Jacobian& jacobian, int nodeA, int nodeB, double weight)
 {
     static const Motion ground;
-    constexpr int kMostBodies = ConstraintRows::kMostBodies;
-    double on[kMostBodies][3];
-    int nodes[kMostBodies] = {group_.nodes[j].first, group_.nodes[j].second};
-    const auto motionOfNode = [&](int node) -> const Motion& {
-        return node < 0 ? ground : motions_[group_.rows[static_cast<std::size_t>(node)]];
-    };
-    fillJacobian(direction.pair, motionOfNode(nodes[0]), motionOfNode(nodes[1]), on[0], on[1]);
-    for (int k = 0; k < direction.count; ++k) {
-        nodes[2 + k] = moreNode(j, k);
-        fillPart(direction.more[k], motionOfNode(nodes[2 + k]), on[2 + k]);
-    }
-    const auto add = [weight](BlockLdl::Block& block, const double (&x)[3], const double (&y)[3]) {
-        for (int r = 0; r < 3; ++r)
-            for (int c = 0; c < 3; ++c) block.a[3 * r + c] += weight * x[r] * y[c];
-    };
-    for (int p = 0; p < 2 + direction.count; ++p) {
-        if (nodes[p] < 0) continue;
-        add(group_.matrix.diagonal(nodes[p]), on[p], on[p]);
-        for (int q = 0; q < p; ++q) {
-            if (nodes[q] < 0 || nodes[q] == nodes[p]) continue;  // one body alone has no other
-            const auto [block, transposed] = group_.matrix.between(nodes[q], nodes[p]);
-            if (transposed)
-                add(*block, on[p], on[q]);
-            else
-                add(*block, on[q], on[p]);
-        }
+    double onA[3], onB[3];
+    const Motion& a = nodeA < 0 ? ground : motions_[group_.rows[static_cast<std::size_t>(nodeA)]];
+    const Motion& b = nodeB < 0 ? ground : motions_[group_.rows[static_cast<std::size_t>(nodeB)]];
+    fillJacobian(jacobian, a, b, onA, onB);
+    if (nodeA >= 0) addProduct(group_.matrix.diagonal(nodeA), weight, onA, onA);
+    if (nodeB >= 0) addProduct(group_.matrix.diagonal(nodeB), weight, onB, onB);
+    addBetween(group_.matrix, weight, nodeA, onA, nodeB, onB);
+}
+
+// What the bodies beyond two add to that.
+void DirectSolver::addMore(std::size_t j, int i, double weight)
+{
+    const JointRows& rows = joint(j);
+    const MoreBodies& more = *rows.more;
+    int nodes[ConstraintRows::kMostBodies] = {group_.nodes[j].first, group_.nodes[j].second};
+    double on[ConstraintRows::kMostBodies][3];
+    fillJacobian(rows.rows[i].j, motions_[rows.rowA], motions_[rows.rowB], on[0], on[1]);
+    for (int k = 0; k < more.count; ++k) {
+        const int p = 2 + k;
+        nodes[p] = moreNode(j, k);
+        fillPart(more.parts[i][k], motions_[more.rows[k]], on[p]);
+        if (nodes[p] >= 0) addProduct(group_.matrix.diagonal(nodes[p]), weight, on[p], on[p]);
+        for (int q = 0; q < p; ++q) addBetween(group_.matrix, weight, nodes[q], on[q], nodes[p], on[p]);
     }
 }
 
@@ -310,13 +357,17 @@ bool DirectSolver::factor()
 void DirectSolver::addRows(std::size_t j)
 {
     const JointRows& rows = joint(j);
-    if (rows.turnMass > 0) addRow(j, {rows.across}, static_cast<double>(rows.turnMass));
+    if (rows.turnMass > 0)
+        addRow(rows.across, group_.nodes[j].first, group_.nodes[j].second,
+               static_cast<double>(rows.turnMass));
     for (int i = 0; i < rows.count; ++i) {
         const unsigned state = group_.states[j] >> 2 * i & 3u;
         if (state == Together && rows.rows[i].pairBound) addPair(j, i);
         if (state != Free) continue;
         const double slope = answerOf(rows.rows[i], rows.visits[i], 0, ropeGamma_).slope;
-        if (slope > 0) addRow(j, directionOf(rows, i), slope);
+        if (!(slope > 0)) continue;
+        addRow(rows.rows[i].j, group_.nodes[j].first, group_.nodes[j].second, slope);
+        if (rows.more) addMore(j, i, slope);
     }
 }
 
@@ -335,7 +386,7 @@ void DirectSolver::addPair(std::size_t j, int second)
     const Jacobian across{alongX * x.j.linearA + alongY * y.j.linearA,
                           alongX * x.j.linearB + alongY * y.j.linearB,
                           alongX * x.j.turnA + alongY * y.j.turnA, alongX * x.j.turnB + alongY * y.j.turnB};
-    if (slope > 0) addRow(j, {across}, slope);
+    if (slope > 0) addRow(across, group_.nodes[j].first, group_.nodes[j].second, slope);
 }
 
 // M (start - v) + sum of J^T (impulse - impulse at hand): zero where the velocity is that of the impulses.
@@ -352,10 +403,10 @@ void DirectSolver::residual(std::vector<double>& out)
         const JointRows& rows = joint(j);
         for (int i = 0; i < rows.count; ++i) {
             const double before = guarded_ ? 0 : static_cast<double>(rows.visits[i].impulse);
-            addAlong(j, directionOf(rows, i), impulse(j, i) - before, out);
+            addAlongRow(j, i, impulse(j, i) - before, out);
         }
         if (rows.turnMass > 0)
-            addAlong(j, {rows.across}, -static_cast<double>(rows.turnMass) * speed(j, {rows.across}), out);
+            addAlong(j, rows.across, -static_cast<double>(rows.turnMass) * speed(j, rows.across), out);
     }
 }
 

@@ -23,17 +23,18 @@ int bodiesOf(const JointRow& joint)
     return joint.bodyA == joint.bodyB ? 1 : 2 + static_cast<int>(joint.more.size());
 }
 
-double countedAngle(const JointRow& joint, int body)
+const CountedAngle& countedAngle(const JointRow& joint, int body)
 {
     return joint.angles[static_cast<std::size_t>(body)];
 }
 
-ConstraintBody viewOf(const BodyRow& body, Position center, double angle, const Rot& rotation)
+ConstraintBody viewOf(const BodyRow& body, Position center, double angle, double start, const Rot& rotation)
 {
     const Vec2 inverse = body.invMass();
     const real mass = maximum(inverse.x, inverse.y), inertia = body.invInertia();
     return {center,
             angle,
+            angle - start,
             rotation,
             body.localCenter,
             mass > 0 ? 1 / mass : real(0),
@@ -162,8 +163,9 @@ OwnPose ownPoseOf(const JointRow& joint, const BodyTable& bodies)
     pose.count = bodiesOf(joint);
     for (int k = 0; k < pose.count; ++k) {
         const BodyRow& body = bodies.rows[slotOf(joint, k)];
-        const double angle = countTurns(0, body.angle, countedAngle(joint, k));
-        pose.bodies[k] = viewOf(body, body.center, angle, body.rotation);
+        const CountedAngle& counted = countedAngle(joint, k);
+        const double angle = countTurns(0, body.angle, counted.now);
+        pose.bodies[k] = viewOf(body, body.center, angle, counted.start, body.rotation);
     }
     return pose;
 }
@@ -245,13 +247,16 @@ OwnCoordinate ownCoordinateOf(const JointRow& joint, const BodyTable& bodies)
 void beginOwnCount(JointRow& joint, const BodyTable& bodies)
 {
     joint.angles.clear();
-    for (int k = 0; k < bodiesOf(joint); ++k) joint.angles.push_back(bodies.rows[slotOf(joint, k)].angle);
+    for (int k = 0; k < bodiesOf(joint); ++k) {
+        const double angle = bodies.rows[slotOf(joint, k)].angle;
+        joint.angles.push_back({angle, angle});
+    }
 }
 
 void followOwnCount(JointRow& joint, const MotionTable& motions)
 {
     for (int k = 0; k < bodiesOf(joint); ++k) {
-        double& angle = joint.angles[static_cast<std::size_t>(k)];
+        double& angle = joint.angles[static_cast<std::size_t>(k)].now;
         angle = countTurns(0, motions.rows[motions.rowOf[slotOf(joint, k)]].angle, angle);
     }
 }
@@ -263,7 +268,8 @@ bool measureOwnNow(const JointRow& joint, const BodyTable& bodies, const MotionT
     pose.count = bodiesOf(joint);
     for (int k = 0; k < pose.count; ++k) {
         const Motion& m = motions.rows[motions.rowOf[slotOf(joint, k)]];
-        pose.bodies[k] = viewOf(bodies.rows[m.body], m.center, countedAngle(joint, k), m.rotation);
+        const CountedAngle& counted = countedAngle(joint, k);
+        pose.bodies[k] = viewOf(bodies.rows[m.body], m.center, counted.now, counted.start, m.rotation);
     }
     return measureOwn(joint, pose, rows, rows.more);
 }
@@ -276,8 +282,9 @@ bool measureOwnAhead(const JointRow& joint, const BodyTable& bodies, const BodyS
     for (int k = 0; k < pose.count; ++k) {
         const Motion& m = *set.motions[pose.count == 1 ? 1 : k];
         const BodyPlace place = placeAhead(m, set.velocities[pose.count == 1 ? 1 : k], h);
-        const double angle = countedAngle(joint, k) + (place.angle - m.angle);
-        pose.bodies[k] = viewOf(bodies.rows[m.body], place.center, angle, place.rotation);
+        const CountedAngle& counted = countedAngle(joint, k);
+        const double angle = counted.now + (place.angle - m.angle);
+        pose.bodies[k] = viewOf(bodies.rows[m.body], place.center, angle, counted.start, place.rotation);
     }
     MoreBodies scratch;
     return measureOwn(joint, pose, out, pose.count > 2 ? &scratch : nullptr);

@@ -355,14 +355,14 @@ bool isFinite(const BodySet& bodies)
     return all;
 }
 
-void restore(BodyPair& bodies, const BodyPair& before)
+void takeVelocities(BodyPair& bodies, const BodyPair& from)
 {
-    bodies.va = before.va;
-    bodies.vb = before.vb;
+    bodies.va = from.va;
+    bodies.vb = from.vb;
 }
-void restore(BodySet& bodies, const BodySet& before)
+void takeVelocities(BodySet& bodies, const BodySet& from)
 {
-    bodies = before;
+    bodies = from;
 }
 
 }  // namespace
@@ -370,11 +370,13 @@ void restore(BodySet& bodies, const BodySet& before)
 template <class Bodies>
 real solveRows(JointRows& joint, Bodies& bodies)
 {
-    const Bodies before = bodies;
-    const real change = visitRows(joint, bodies);
-    if (isFinite(bodies)) return change;
+    Bodies after = bodies;
+    const real change = visitRows(joint, after);
+    if (isFinite(after)) {
+        takeVelocities(bodies, after);
+        return change;
+    }
     // Beyond all numbers: the joint lets go for this visit.
-    restore(bodies, before);
     for (RowVisit& visit : joint.visits) visit.impulse = 0;
     return 0;
 }

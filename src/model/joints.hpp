@@ -24,6 +24,12 @@ struct JointSlot {
     static constexpr int kLimits = 3;  // from kLower on
 };
 
+/// Of a body, turns counted.   [rad]
+struct CountedAngle {
+    double now = 0;
+    double start = 0;  // when the joint was made
+};
+
 /// Everything the world remembers of a joint between steps.
 struct JointRow {
     JointDef def;                          // as given
@@ -38,7 +44,7 @@ struct JointRow {
 
     // Of a joint of one's own.
     std::vector<std::uint32_t> more;  // slots of its bodies beyond two
-    std::vector<double> angles;  // by body: its own, turns counted   [rad]
+    std::vector<CountedAngle> angles;  // by body
     std::uint32_t layout = 0;  // what rows it has: layoutOf(ConstraintRows)
 
     // Carried from tick to tick and from step to step.

@@ -195,9 +195,10 @@ struct World::Impl {
     TouchEvent touchEvent(const Contact& contact) const;
     ContactView view(const Contact& contact) const;
 
-    // world/joint_checks.cpp
-    /// Of a joint with that kind. `layout` becomes that of a constraint of one's own, else 0.
-    Complaint check(const JointDef& def, const JointKind& kind, std::uint32_t& layout) const;
+    // world/joint_checks.cpp: `layout` becomes that of a constraint of one's own, else 0.
+    Complaint check(const JointDef& def, std::uint32_t& layout) const;
+    Complaint checkKind(const JointDef& def, const JointKind& kind, std::uint32_t& layout) const;
+    Complaint checkBodies(const JointDef& def) const;
 
     // world/parts.cpp: who takes part in steps, and what holds still.
     void tally(const BodyRow& body, bool comes);

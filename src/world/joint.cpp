@@ -124,13 +124,14 @@ void Joint::setKind(const JointKind& kind)
 {
     TAMIAS_JOINT_ROW(j);
     std::uint32_t layout = 0;
-    if (!w || refuse(w->impl_->check(j.def, kind, layout))) return;
+    if (!w || refuse(w->impl_->checkKind(j.def, kind, layout))) return;
     w->impl_->disturbJoint(id_.index);
     if (kind.index() != j.def.kind.index() || layout != j.layout) j.forgetLoads();
     j.layout = layout;
     const bool counts = countsAlike(kind, j.def.kind);
     j.def.kind = kind;
     if (!counts) beginCount(j, w->impl_->row(j.def.bodyA).angle, w->impl_->row(j.def.bodyB).angle);
+    if (layout == 0) j.angles.clear();
     if (layout != 0 && j.angles.empty()) beginOwnCount(j, w->impl_->bodies);
 }
 
@@ -151,7 +152,6 @@ void Joint::setEnabled(bool enabled)
             std::holds_alternative<GearJoint>(j.def.kind) || std::holds_alternative<RatchetJoint>(j.def.kind);
         if (enabled && counts)
             beginCount(j, w->impl_->row(j.def.bodyA).angle, w->impl_->row(j.def.bodyB).angle);
-        if (enabled && j.layout != 0) beginOwnCount(j, w->impl_->bodies);
     }
     if (enabled) j.broken = false;
     if (!enabled) j.forgetLoads();

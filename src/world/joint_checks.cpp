@@ -349,53 +349,62 @@ Complaint check(const JointBreaking& b)
         .first();
 }
 
-Complaint World::Impl::check(const JointDef& def, const JointKind& kind, std::uint32_t& layout) const
+Complaint World::Impl::checkBodies(const JointDef& def) const
 {
-    layout = 0;
-    const OwnJoint* const own = std::get_if<OwnJoint>(&kind);
-    const auto count = [&](std::size_t given) -> Complaint {
-        const std::size_t wanted = own ? static_cast<std::size_t>(own->bodies()) : 2;
-        return checkThat(given == wanted, "JointDef.moreBodies", given,
-                         own ? "must make " + textOf(wanted) + " bodies, as " + std::string(own->name()) +
-                                   " has"
-                             : std::string("must be empty: it has two bodies"));
-    };
-    const auto textOfId = [](BodyId body) {
-        return body.isNull() ? std::string("null")
-                             : textOf(body.index) + " (generation " + textOf(body.generation) + ")";
-    };
     const auto complain = [&](std::string_view field, BodyId body, std::string_view rule) -> Complaint {
-        return InputError(std::string(field), textOfId(body), std::string(rule));
+        const std::string given = body.isNull()
+                                      ? std::string("null")
+                                      : textOf(body.index) + " (generation " + textOf(body.generation) + ")";
+        return InputError(std::string(field), given, std::string(rule));
     };
     if (!bodies.ids.owns(def.bodyA))
         return complain("JointDef.bodyA", def.bodyA, "must be a live body of this world");
     if (!bodies.ids.owns(def.bodyB))
         return complain("JointDef.bodyB", def.bodyB, "must be a live body of this world");
+    const OwnJoint* const own = std::get_if<OwnJoint>(&def.kind);
     const bool isAlone = own && own->bodies() == 1;
     if ((def.bodyA == def.bodyB) != isAlone)
         return complain("JointDef.bodyB", def.bodyB,
                         isAlone ? "must be the same body as bodyA" : "must be another body than bodyA");
     bool isDynamic = row(def.bodyA).isDynamic() || row(def.bodyB).isDynamic();
-    JointRow joint;
-    joint.bodyA = def.bodyA.index;
-    joint.bodyB = def.bodyB.index;
-    for (const BodyId body : def.moreBodies) {
+    for (std::size_t i = 0; i < def.moreBodies.size(); ++i) {
+        const BodyId body = def.moreBodies[i];
         if (!bodies.ids.owns(body))
             return complain("JointDef.moreBodies", body, "must be a live body of this world");
-        bool isNew = true;
-        joint.eachBody([&](std::uint32_t other) { isNew = isNew && other != body.index; });
+        bool isNew = body != def.bodyA && body != def.bodyB;
+        for (std::size_t k = 0; k < i; ++k) isNew = isNew && def.moreBodies[k] != body;
         if (!isNew) return complain("JointDef.moreBodies", body, "must be another body than all others");
-        joint.more.push_back(body.index);
         isDynamic = isDynamic || row(body).isDynamic();
     }
     if (!isDynamic) return complain("JointDef.bodyB", def.bodyB, "must be dynamic, as bodyA is not");
-    Checks checks;
-    checks.add(tamias2d::check(kind, settings.lengthUnit)).add(tamias2d::check(def.breaking));
-    if (checks.first()) return checks.first();
-    if (Complaint wrong = count((isAlone ? 1 : 2) + def.moreBodies.size())) return wrong;
+    return std::nullopt;
+}
+
+Complaint World::Impl::checkKind(const JointDef& def, const JointKind& kind, std::uint32_t& layout) const
+{
+    layout = 0;
+    if (Complaint wrong = tamias2d::check(kind, settings.lengthUnit)) return wrong;
+    const OwnJoint* const own = std::get_if<OwnJoint>(&kind);
+    const std::size_t count = (def.bodyA == def.bodyB ? 1 : 2) + def.moreBodies.size();
+    const std::size_t wanted = own ? static_cast<std::size_t>(own->bodies()) : 2;
+    if (count != wanted)
+        return InputError("JointDef.moreBodies", textOf(def.moreBodies.size()),
+                          "must make " + textOf(wanted) + " bodies in all, not " + textOf(count));
     if (!own) return std::nullopt;
+    JointRow joint;
+    joint.bodyA = def.bodyA.index;
+    joint.bodyB = def.bodyB.index;
+    for (const BodyId body : def.moreBodies) joint.more.push_back(body.index);
     beginOwnCount(joint, bodies);
     return checkAnswer(*own, joint, bodies, layout);
+}
+
+Complaint World::Impl::check(const JointDef& def, std::uint32_t& layout) const
+{
+    if (Complaint wrong = checkBodies(def)) return wrong;
+    Checks checks;
+    checks.add(checkKind(def, def.kind, layout)).add(tamias2d::check(def.breaking));
+    return checks.first();
 }
 
 }  // namespace tamias2d::inline TAMIAS_PRECISION

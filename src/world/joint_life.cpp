@@ -77,7 +77,7 @@ Complaint checkJointId(bool alive, const JointId& id)
 Joint World::createJoint(const JointDef& def)
 {
     std::uint32_t layout = 0;
-    if (refuse(impl_->check(def, def.kind, layout))) return {};
+    if (refuse(impl_->check(def, layout))) return {};
     return {this, impl_->createJoint(def, layout)};
 }
 

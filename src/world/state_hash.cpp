@@ -241,7 +241,10 @@ void addRows(Hasher& hash, const JointRow& j, const BodyTable& bodies)
 {
     if (j.layout == 0) return;
     for (const std::uint32_t body : j.more) hash.add(std::uint64_t{body});
-    for (const double angle : j.angles) hash.add(angle);
+    for (const CountedAngle& angle : j.angles) {
+        hash.add(angle.now);
+        hash.add(angle.start);
+    }
     JointRows rows;
     MoreBodies more;
     measureOwn(j, ownPoseOf(j, bodies), rows, &more);

@@ -74,6 +74,7 @@ TEST(OwnJointsApi, ItsConstraintCanBeReadAndReplaced)
     EXPECT_THROW(joint.setKind(RevoluteJoint{}), InputError);
     Joint pair = s.world.createJoint(OwnRod{{}, {}, 2}, s.a, s.b);
     pair.setKind(DistanceJoint{.length = 2});
+    EXPECT_TRUE(s.world.validate().empty());
     pair.setKind(OwnJoint(OwnHinge{vec(1, 0), vec(-1, 0)}));
     runSeconds(s.world, 0.5);
     EXPECT_TRUE(s.world.validate().empty());
@@ -172,7 +173,7 @@ TEST(OwnJointsApi, WhatHangsOnItSleepsAndWakesTogether)
     a.setTransform({0, -1}, 0);
     Joint own = world.createJoint(
         saying<3>([](ConstraintBodies at, ConstraintRows& rows) {
-            rows.rigid(at[0].angle - at[1].angle + at[2].angle).turn(0, 1).turn(1, -1).turn(2, 1);
+            rows.rigid(at[0].turned - at[1].turned + at[2].turned).turn(0, 1).turn(1, -1).turn(2, 1);
         }),
         a, b, c);
     for (Body body : {b, c}) body.setTransform({0, -1}, 0);

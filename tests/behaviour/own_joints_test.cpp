@@ -126,7 +126,7 @@ TEST(OwnJoints, ADifferentialSharesATorqueAsItsRatiosSay)
         const double inertias[] = {0.5, heavy, 2};
         const double ratios[] = {1, 1, -2};
         for (int i = 0; i < 3; ++i) {
-            wheels.push_back(addDisc(world, {3.0 * i, 0}, 0.5));
+            wheels.push_back(addDisc(world, {3.0 * i, 0}, 0.5, {.angle = 6 - 0.1 * i}));  // it turns over
             wheels.back().setMass({1, {}, toReal(inertias[i])});
             world.createJoint(revoluteAt(post, wheels.back(), {3.0 * i, 0}));
         }

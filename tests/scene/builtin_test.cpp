@@ -8,7 +8,9 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <string>
+#include <vector>
 
 namespace tamias2d::test {
 namespace {
@@ -125,6 +127,72 @@ TEST(BuiltinScenes, ASceneFileMayOverruleTheWorldAndAddBodies)
     ASSERT_EQ(laws.size(), 2u);
     EXPECT_EQ(laws[0].first, scene.world->findBody("box 2")->id());
     EXPECT_EQ(laws[1].first, scene.world->findBody("hammer")->id());
+}
+
+// From the strike to the next one the balls that left are as many as those that came, as fast, and the
+// others stay.
+TEST(BuiltinScenes, ACradleOnStringsHandsOnWhatStrikesIt)
+{
+    TRACES("R8", "LC3", "GD1", "DD15", "DD16");
+    for (const int strikers : {1, 2, 3}) {
+        const double speed = 4;
+        const Scene scene = makeBuiltinScene("pendulums:strikers=" + std::to_string(strikers));
+        World& world = *scene.world;
+        std::vector<Body> balls;
+        for (int i = 1; i <= 5; ++i) balls.push_back(*world.findBody("ball " + std::to_string(i)));
+        const double start = world.energy().total();
+        const double given = strikers * static_cast<double>(balls[0].mass()) * speed * speed / 2;
+        std::vector<double> fastest(5);
+        double before = 0, after = 0, drift = 0;
+        for (int step = 0; step < 1200; ++step) {
+            const double momentum = world.momentum().linear.x;
+            world.step();
+            if (!world.events().hits.empty() && before == 0) {
+                before = momentum;
+                after = world.momentum().linear.x;
+            }
+            drift = std::max(drift, std::abs(world.energy().total() - start));
+            const bool hasStruck = before != 0 && world.time() < 2.5;  // and comes back after 3 s
+            for (std::size_t i = 0; hasStruck && i < balls.size(); ++i)
+                fastest[i] = std::max(fastest[i], std::abs(static_cast<double>(balls[i].linearVelocity().x)));
+        }
+        const double all = strikers * static_cast<double>(balls[0].mass()) * speed;
+        EXPECT_NEAR(before / all, 1, 0.01);
+        EXPECT_NEAR(after / before, 1, 0.01);
+        for (int i = 0; i < 5; ++i) {
+            const bool leaves = i >= 5 - strikers;
+            EXPECT_NEAR(fastest[static_cast<std::size_t>(i)] / speed, leaves ? 1 : 0, 0.01)
+                << "ball " << i + 1 << " of 5, " << strikers << " strike";
+        }
+        EXPECT_LT(drift / given, byPrecision(0.001, 0.005)) << strikers << " strike, 20 s";
+    }
+}
+
+TEST(BuiltinScenes, TheChainOfAWreckingBallKeepsItsLengthWhileItHits)
+{
+    TRACES("LC3", "DD15", "DD16");
+    for (const int load : {5, 50, 500, 5000}) {
+        const Scene scene = makeBuiltinScene("wrecker:load=" + std::to_string(load));
+        World& world = *scene.world;
+        Body ball = *world.findBody("ball"), brick = world.body(world.bodies().back());  // at the top
+        const Position stood = brick.position();
+        double worst = 0, fastest = 0;
+        for (int step = 0; step < 600; ++step) {
+            world.step();
+            double stretch = 0;
+            for (const JointId id : world.joints())
+                stretch += static_cast<double>(world.joint(id).reading().error);
+            worst = std::max(worst, stretch / 8);
+            fastest = std::max(fastest, static_cast<double>(length(ball.linearVelocity())));
+        }
+        EXPECT_LT(worst, 0.0015) << "load " << load;
+        if (load >= 50) {  // lighter ones do not fell it
+            EXPECT_GT(length(brick.position() - stood), 0.5) << "load " << load;
+        }
+        if (load >= 500) {  // it falls through the chain's length and its radius
+            EXPECT_NEAR(fastest / std::sqrt(2 * 9.81 * 9), 1, 0.01) << "load " << load;
+        }
+    }
 }
 
 TEST(BuiltinScenes, AnOrbitComesBackAfterItsPeriod)

@@ -59,7 +59,7 @@ struct OnParabola {
     }
 };
 
-/// A differential: a * angle 0 + b * angle 1 + c * angle 2 = 0.
+/// A differential: a * angle 0 + b * angle 1 + c * angle 2 stays what it is.
 struct Differential {
     static constexpr int bodies = 3;
     static constexpr std::string_view name = "Differential";
@@ -67,7 +67,7 @@ struct Differential {
 
     void measure(ConstraintBodies at, ConstraintRows& rows) const
     {
-        rows.rigid(a * at[0].angle + b * at[1].angle + c * at[2].angle)
+        rows.rigid(a * at[0].turned + b * at[1].turned + c * at[2].turned)
             .turn(0, toReal(a))
             .turn(1, toReal(b))
             .turn(2, toReal(c));

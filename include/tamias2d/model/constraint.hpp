@@ -30,8 +30,9 @@ enum class RowKind : std::uint8_t {
 /// One body as a constraint sees it: where it is, or is expected to be.
 struct ConstraintBody {
     Position center = {};  ///< of mass                                             [m]
-    double angle = 0;  ///< turns counted since the joint was made              [rad]
-    Rot rotation = {};  ///< by that angle
+    double angle = 0;  ///< of the body, turns counted                               [rad]
+    double turned = 0;  ///< since the joint was made, turns counted                 [rad]
+    Rot rotation = {};  ///< by its angle
     Vec2 localCenter = {};  ///< of mass, in the body's frame                        [m]
     real mass = 0;  ///< 0: nothing moves it                                 [kg]
     real inertia = 0;  ///< about the center of mass; 0: nothing turns it       [kg*m^2]

@@ -179,8 +179,8 @@ BuiltinChoice readBuiltin(const Node& node)
 const std::vector<Builtin>& allBuiltins()
 {
     static const std::vector<Builtin> all = {
-        bounceScene(), cradleScene(), dominoesScene(), gasScene(),   inclineScene(),
-        orbitScene(),  pileScene(),   pyramidScene(),  stackScene(), tilesScene(),
+        bounceScene(),    cradleScene(), dominoesScene(), gasScene(),   inclineScene(), orbitScene(),
+        pendulumsScene(), pileScene(),   pyramidScene(),  stackScene(), tilesScene(),   wreckerScene(),
     };
     return all;
 }

@@ -68,9 +68,11 @@ Builtin dominoesScene();
 Builtin gasScene();
 Builtin inclineScene();
 Builtin orbitScene();
+Builtin pendulumsScene();
 Builtin pileScene();
 Builtin pyramidScene();
 Builtin stackScene();
 Builtin tilesScene();
+Builtin wreckerScene();
 
 }  // namespace tamias2d::inline TAMIAS_PRECISION::scene

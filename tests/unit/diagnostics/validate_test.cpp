@@ -216,7 +216,7 @@ TEST(Validate, TellsWhatIsWrongWithJoints)
         {"joints[1].body = 1: must be another one", [](Tables& t) { t.joints.rows[1].bodyB = 1; }},
         {"joints[0].ofBody = 0: must list it once", [](Tables& t) { t.joints.ofBody[0].clear(); }},
         {"joints[0].ofBody = 0: must list it once", [](Tables& t) { t.joints.ofBody[0].push_back(0); }},
-        {"joints[0].ofBody = 5: must be two for each live joint",
+        {"joints[0].ofBody = 5: must be one for each body of each live joint",
          [](Tables& t) { t.joints.ofBody[2].push_back(7); }},
         {"ofBody = 5: must be one list a body at most", [](Tables& t) { t.joints.ofBody.resize(5); }},
         {"joints[0].angle = nan: must be finite", [](Tables& t) { t.joints.rows[0].angle = kNan; }},
