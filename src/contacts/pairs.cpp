@@ -159,4 +159,31 @@ void matchPairs(const ContactWorld& world, const std::vector<ShapePair>& pairs,
     contacts.swap(matched);
 }
 
+void sortContacts(std::vector<Contact>& contacts, MatchScratch& scratch)
+{
+    const auto before = [](const Contact& a, const Contact& b) {
+        return isBefore(a, {b.shapeA, b.shapeB});
+    };
+    const auto firstLate = std::is_sorted_until(contacts.begin(), contacts.end(), before);
+    scratch.late.clear();
+    for (auto c = firstLate; c != contacts.end(); ++c)
+        scratch.late.push_back({{c->shapeA, c->shapeB}, static_cast<std::uint32_t>(c - contacts.begin())});
+    std::sort(scratch.late.begin(), scratch.late.end());
+    std::vector<Contact>& late = scratch.matched;
+    late.clear();
+    late.reserve(contacts.capacity());
+    for (const auto& [pair, at] : scratch.late) late.push_back(contacts[at]);
+
+    // Merged from the end: each moves once, and those before the first late one do not move at all.
+    auto to = contacts.end(), from = firstLate;
+    while (!late.empty()) {
+        if (from != contacts.begin() && before(late.back(), *(from - 1))) {
+            *--to = *--from;
+        } else {
+            *--to = late.back();
+            late.pop_back();
+        }
+    }
+}
+
 }  // namespace tamias2d::inline TAMIAS_PRECISION

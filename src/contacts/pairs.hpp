@@ -34,11 +34,15 @@ struct MatchScratch {
     std::vector<std::uint8_t> allowed;      // by pair: may the two collide?
     std::vector<std::uint8_t> leaves;       // by old contact: does it belong into that list?
     std::vector<std::uint32_t> starts;      // by chunk of pairs: where its contacts begin
+    std::vector<std::pair<ShapePair, std::uint32_t>> late;   // contacts that are out of order, and where they are
 };
 
 /// Brings the contacts in line with the sorted pairs: old ones keep all they carry, new ones start
 /// empty, those without a pair leave; those of them that touched stand in `scratch.left`.
 void matchPairs(const ContactWorld& world, const std::vector<ShapePair>& pairs,
                 std::vector<Contact>& contacts, MatchScratch& scratch, Parallel& parallel);
+
+/// Sorts contacts by their pairs, of which all but some at the end are sorted already.
+void sortContacts(std::vector<Contact>& contacts, MatchScratch& scratch);
 
 }  // namespace tamias2d::inline TAMIAS_PRECISION

@@ -161,7 +161,7 @@ void World::Impl::breakJoints()
 // By shapes: those of bodies that have woken stand behind all others until now.
 void World::Impl::sortContacts()
 {
-    if (!contactsAreSorted) std::sort(contacts.rows.begin(), contacts.rows.end(), byShapes<Contact>);
+    if (!contactsAreSorted) tamias2d::sortContacts(contacts.rows, matchScratch);
     contactsAreSorted = true;
 }
 
