@@ -48,7 +48,7 @@ struct alignas(64) Motion {
     // contacts at once, and what makes the prediction of a resting body rest.
     alignas(kGroup) Vec2 steady;     // [m/s]
     real steadySpin = 0;       // [rad/s]
-    real load = 0;             // 1 if some contact of it carries a load, else 0
+    real load = 0;             // 1 if some contact of it carries a load or it cannot move, else 0
 
     alignas(kGroup) Vec2 acceleration;   // by forces from outside, damping left out   [m/s^2]
     real spinRate = 0;         // [rad/s^2]

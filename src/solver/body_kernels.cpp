@@ -5,7 +5,7 @@ namespace tamias2d::inline TAMIAS_PRECISION {
 
 const BodyKernels& bodyKernels(LaneWidth width)
 {
-    switch (width == LaneWidth::Best ? bestLanes() : width) {
+    switch (width) {
     case LaneWidth::Bytes64:
         return BodyKernelsOf<kLanes64>::kTable;
     case LaneWidth::Bytes32:

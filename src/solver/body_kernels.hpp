@@ -66,7 +66,7 @@ struct BodyKernels {
                  const StepContext& context);
 };
 
-/// Those of a width that this machine has.
+/// Those of a width that this machine has; not Best.
 const BodyKernels& bodyKernels(LaneWidth width);
 
 /// The same for one width; defined in a file that is compiled with its instructions.

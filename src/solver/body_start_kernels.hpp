@@ -89,10 +89,12 @@ real startTick(const BodyRows& bodies, const StepContext& context, const TickTim
     eachRun<W>(bodies, [&](const auto& run) {
         FourLanes<W> steady = load<W>(rows.steady.data(), 0, run);
         if (limitSteady(steady, context)) store<W>(steady, rows.steady.data(), 0, run);
-        store<W>(steady, motions, kSteady, run);
 
         const FourLanes<W> velocity = load<W>(motions, kVelocity, run),
                            masses = load<W>(motions, kMasses, run);
+        const LaneMask<W> moves = isMovable(masses);
+        steady.w = select(moves, steady.w, Wide(real(1)));  // kicks go the short way for what does not move
+        store<W>(steady, motions, kSteady, run);
         const FourLanes<W> outside = load<W>(motions, kAcceleration, run);
         const FourLanes<W> damping = load<W>(motions, kRotation, run);
         store<W>({velocity.x, velocity.y, velocity.z, zero}, rows.velocities.data(), 0, run);
@@ -104,7 +106,6 @@ real startTick(const BodyRows& bodies, const StepContext& context, const TickTim
 
         constexpr std::size_t kWay = offsetof(PredictedWay, acceleration);
         FourLanes<W> way = load<W>(rows.predicted.data(), kWay, run);
-        const LaneMask<W> moves = isMovable(masses);
         const LaneMask<W> leave = straysOf(
             load<W>(rows.poses.data(), 0, run), velocity, masses.w, load<W>(rows.predicted.data(), 0, run),
             load<W>(rows.predicted.data(), offsetof(PredictedWay, offset), run), way, time, h);

@@ -421,7 +421,7 @@ bool isPlain(const Contact& c)
 
 std::unique_ptr<ContactLanes> makeContactLanes(LaneWidth width, Parallel& parallel)
 {
-    switch (width == LaneWidth::Best ? bestLanes() : width) {
+    switch (width) {
     case LaneWidth::Bytes64:
         return std::make_unique<ContactLanesOf<kLanes64>>(parallel);
     case LaneWidth::Bytes32:

@@ -28,6 +28,14 @@ void startLoose(Contact& c, const MotionTable& motions, TickRows& rows)
     b = laneRow(steadyB, loaded ? real(1) : b.w);
 }
 
+void ContactPasses::use(LaneWidth width)
+{
+    std::unique_ptr<ContactLanes>& lanes = lanesOf_[static_cast<std::size_t>(width)];
+    if (lanes == nullptr) lanes = makeContactLanes(width, parallel_);
+    areOthers_ = lanes.get() != lanes_;
+    lanes_ = lanes.get();
+}
+
 void ContactPasses::begin(ContactTable& contacts, const MotionTable& motions, const Islands& islands,
                           const StepContext& context, bool same, const std::vector<std::uint8_t>& renewed)
 {
@@ -36,7 +44,7 @@ void ContactPasses::begin(ContactTable& contacts, const MotionTable& motions, co
     loose_.clear();
     isLoose_.resize(count);
     inLane_.resize(count);
-    if (same && lanes_->fits(contacts.rows, renewed, context)) {
+    if (same && !areOthers_ && lanes_->fits(contacts.rows, renewed, context)) {
         for (std::uint32_t i = 0; i < count; ++i) {
             if (renewed[i] == 0 || inLane_[i] == 0) continue;
             lanes_->drop(i);

@@ -15,10 +15,10 @@ void startLoose(Contact& contact, const MotionTable& motions, TickRows& rows);
 /// is kept.
 class ContactPasses {
 public:
-    ContactPasses(LaneWidth lanes, Parallel& parallel)
-        : parallel_(parallel), lanes_(makeContactLanes(lanes, parallel))
-    {
-    }
+    explicit ContactPasses(Parallel& parallel) : parallel_(parallel) {}
+
+    /// Before each step: the width of the lanes; not Best. Those of another one take nothing over.
+    void use(LaneWidth width);
 
     /// Takes over the contacts of a step, colored and with manifolds; forgets the sums of the step before. If
     /// they are `same`, one by one, as at the end of the last step, those in lanes stay there, but for those
@@ -74,7 +74,9 @@ public:
 
 private:
     Parallel& parallel_;
-    std::unique_ptr<ContactLanes> lanes_;
+    std::unique_ptr<ContactLanes> lanesOf_[5];  // by width, once it has been used
+    ContactLanes* lanes_ = nullptr;  // of the step
+    bool areOthers_ = true;  // than those of the step before
     const Islands* islands_ = nullptr;  // of the step
     std::vector<std::uint32_t> loose_;  // contacts out of their lanes that have points, in solving order
     std::vector<std::uint8_t> isLoose_;  // by contact: is it in that list?

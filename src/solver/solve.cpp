@@ -114,8 +114,8 @@ std::uint32_t driftAll(SolverStage& stage, const StepContext& context, bool toge
     std::atomic<std::uint32_t> clamped = 0;
     stage.parallel.forEach(rows.size(), kBodyGrain, [&](const Chunk& chunk) {
         const BodyRows run = bodiesOf(chunk, rows, scratch.rows);
-        scratch.bodies.drift(run, context, kicked);
-        if (together) clamped += scratch.bodies.kickAfterDrift(run, context, kicked);
+        scratch.bodies().drift(run, context, kicked);
+        if (together) clamped += scratch.bodies().kickAfterDrift(run, context, kicked);
     });
     return clamped;
 }
@@ -127,13 +127,20 @@ void calm(SolverStage& stage, const StepContext& context)
     std::vector<Motion>& rows = stage.motions.rows;
     const std::vector<CalmPair>& grounded = scratch.calmRows.grounded;
     stage.parallel.forEach(grounded.size(), kBodyGrain, [&](const Chunk& chunk) {
-        scratch.bodies.calm(rows.data(), grounded.data() + chunk.begin, chunk.end - chunk.begin, scratch.rows,
+        scratch.bodies().calm(rows.data(), grounded.data() + chunk.begin, chunk.end - chunk.begin, scratch.rows,
                             context);
     });
     calmFloating(rows, scratch.rows.changes, stage.islands, scratch.calmRows, context);
 }
 
 }  // namespace
+
+void SolverScratch::suit(std::size_t count)
+{
+    const LaneWidth width = suitedLanes(asked, count);
+    passes.use(width);
+    bodyKernelsOfStep = &bodyKernels(width);
+}
 
 SolverCounts solve(SolverStage& stage, const StepContext& context)
 {
@@ -142,8 +149,9 @@ SolverCounts solve(SolverStage& stage, const StepContext& context)
     std::vector<Motion>& rows = stage.motions.rows;
     TickRows& lanes = scratch.rows;
     std::uint32_t groups = 0;
+    scratch.suit(rows.size());
     ImpactStage impacts{stage.world,   stage.field,     stage.resting,  stage.asleep,     stage.islands,
-                        stage.motions, stage.contacts,  scratch.passes, scratch.bodies,   lanes,
+                        stage.motions, stage.contacts,  scratch.passes, scratch.bodies(),   lanes,
                         stage.joints,  stage.system,    stage.boxes,    stage.impacts,    scratch.impacts,
                         counts.clamps, counts.repaired, groups,         counts.lawFaults, stage.roused,
                         stage.parallel};
@@ -197,7 +205,7 @@ SolverCounts solve(SolverStage& stage, const StepContext& context)
         // First kick, contacts.
         span.next("passes");
         stage.parallel.forEach(rows.size(), kBodyGrain, [&](const Chunk& chunk) {
-            scratch.bodies.kick(bodiesOf(chunk, rows, lanes), context, scratch.impacts.kicked);
+            scratch.bodies().kick(bodiesOf(chunk, rows, lanes), context, scratch.impacts.kicked);
         });
         const JointWorld jointWorld{stage.joints, stage.world.bodies, stage.motions, stage.islands, context};
         passOver(stage, jointWorld);
@@ -217,7 +225,7 @@ SolverCounts solve(SolverStage& stage, const StepContext& context)
             counts.lawFaults += accelerateAfterDrift(stage, context, time + context.dt / context.ticks);
         if (!together) {
             const BodyRows all{rows.data(), lanes, 0, static_cast<std::uint32_t>(rows.size())};
-            counts.clamps.speed += scratch.bodies.kickAfterDrift(all, context, scratch.impacts.kicked);
+            counts.clamps.speed += scratch.bodies().kickAfterDrift(all, context, scratch.impacts.kicked);
         }
         if (hasJoints) {
             span.next("joints");

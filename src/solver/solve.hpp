@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "base/lane_choice.hpp"
 #include "base/timer.hpp"
 #include "contacts/rows.hpp"
 #include "forces/accelerations.hpp"
@@ -20,13 +21,17 @@ struct SolverScratch {
     TickRows rows;
     std::vector<LaneRow> before;               // by row: velocities before the passes
     ContactPasses passes;
-
-    const BodyKernels& bodies;
-
-    SolverScratch(LaneWidth lanes, Parallel& parallel) : passes(lanes, parallel), bodies(bodyKernels(lanes))
-    {
-    }
     ImpactScratch impacts;
+
+    SolverScratch(LaneWidth lanes, Parallel& parallel) : passes(parallel), asked(askedLanes(lanes)) {}
+
+    /// Before each step: the width for so many rows.
+    void suit(std::size_t count);
+    const BodyKernels& bodies() const { return *bodyKernelsOfStep; }
+
+private:
+    LaneWidth asked;
+    const BodyKernels* bodyKernelsOfStep = nullptr;
 };
 
 /// What the solver reads and moves.

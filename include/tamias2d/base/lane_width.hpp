@@ -10,8 +10,8 @@ namespace tamias2d::inline TAMIAS_PRECISION {
 /// How many bytes of numbers the solver reckons with at once. The results have the same bits with each
 /// [ADR6].
 enum class LaneWidth : std::uint8_t {
-    Best,  ///< the widest this machine has; the environment variable TAMIAS_LANES (scalar, 16, 32 or 64)
-           ///< overrides
+    Best,  ///< the fastest of those this machine has, step by step: wide for many bodies, narrow for few; the
+           ///< environment variable TAMIAS_LANES (scalar, 16, 32 or 64), read as a world is made, overrides
     Scalar,  ///< one number
     Bytes16,  ///< SSE2, NEON, wasm SIMD: always there
     Bytes32,  ///< AVX2
@@ -21,7 +21,7 @@ enum class LaneWidth : std::uint8_t {
 /// Has this machine the instructions for it? True for Best.
 bool hasLanes(LaneWidth width) noexcept;
 
-/// What Best is on this machine, now.
+/// What Best is on this machine for many bodies, now.
 LaneWidth bestLanes() noexcept;
 
 }  // namespace tamias2d::inline TAMIAS_PRECISION

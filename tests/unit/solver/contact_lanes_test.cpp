@@ -129,7 +129,8 @@ TEST(ContactLanes, GiveTheBitsOfVisitingContactsOneByOne)
             prepareOneByOne(single);
             solveOneByOne(single);
 
-            ContactPasses passes(width, parallel);
+            ContactPasses passes(parallel);
+            passes.use(width);
             passes.begin(wide.contacts, wide.motions, wide.islands, wide.context, false, {});
             passes.prepare(wide.contacts, wide.motions, wide.rows, wide.context);
             passes.solve(wide.contacts, wide.motions, wide.rows, wide.context);
@@ -167,7 +168,8 @@ TEST(ContactLanes, GiveTheSameBitsWithAnyWidth)
             if (!hasLanes(width)) continue;
             Heap heap = start;
             ClampCounts clamps;
-            ContactPasses passes(width, parallel);
+            ContactPasses passes(parallel);
+            passes.use(width);
             passes.begin(heap.contacts, heap.motions, heap.islands, heap.context, false, {});
             for (int tick = 0; tick < 3; ++tick) {
                 passes.prepare(heap.contacts, heap.motions, heap.rows, heap.context);
