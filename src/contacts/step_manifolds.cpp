@@ -9,9 +9,9 @@ namespace tamias2d::inline TAMIAS_PRECISION {
 namespace {
 
 // What is swept is looked at again anyway, and what came in mid-step is for no pose.
-bool keepsManifold(const Contact& c, const MotionTable& motions)
+bool keepsManifold(const ContactFacts& of, const MotionTable& motions)
 {
-    return !c.swept && c.versionA == motions.versions[c.rowA] && c.versionB == motions.versions[c.rowB];
+    return !of.swept && of.versionA == motions.versions[of.rowA] && of.versionB == motions.versions[of.rowB];
 }
 
 void updateBatch(std::span<Contact* const> contacts, const ShapeTable& shapes, const MotionTable& motions,
@@ -40,10 +40,25 @@ void updateBatch(std::span<Contact* const> contacts, const ShapeTable& shapes, c
 
 }  // namespace
 
-ManifoldCounts updateForStep(std::vector<Contact>& contacts, const ShapeTable& shapes,
+ContactFacts factsOf(const Contact& c, const Tuning& tuning)
+{
+    bool linked = false;
+    for (int i = 0; i < c.count; ++i) {
+        const real reach = (tuning.touchingFactor - 1) * c.restGap;
+        linked = linked || c.points[i].normalImpulse > 0 || c.points[i].gap <= reach;
+    }
+    const Nearness nearness = linked ? Nearness::Linked : c.count > 0 ? Nearness::Near : Nearness::Apart;
+    return {c.rowA, c.rowB, c.versionA, c.versionB, nearness, c.swept};
+}
+
+ManifoldCounts updateForStep(ContactTable& table, bool same, const ShapeTable& shapes,
                              const MotionTable& motions, const StepContext& context, ExpectedPaths& paths,
                              ManifoldScratch& scratch, Parallel& parallel)
 {
+    std::vector<Contact>& contacts = table.rows;
+    std::vector<ContactFacts>& facts = table.facts;
+    facts.reserve(contacts.capacity());
+    facts.resize(contacts.size());
     const std::size_t chunks = Parallel::chunksOf(contacts.size(), kPairBatch);
     scratch.counts.assign(chunks, {});
     scratch.renewed.reserve(contacts.capacity());
@@ -51,13 +66,14 @@ ManifoldCounts updateForStep(std::vector<Contact>& contacts, const ShapeTable& s
     scratch.needed.assign(motions.rows.size(), 0);
     parallel.forEach(contacts.size(), kPairBatch, [&](const Chunk& chunk) {
         for (std::size_t k = chunk.begin; k < chunk.end; ++k) {
-            const Contact& c = contacts[k];
-            scratch.renewed[k] = keepsManifold(c, motions) ? 0 : 1;
+            if (!same) facts[k] = factsOf(contacts[k], context.tuning);
+            const ContactFacts& of = facts[k];
+            scratch.renewed[k] = keepsManifold(of, motions) ? 0 : 1;
             if (scratch.renewed[k] == 0) {
                 ++scratch.counts[chunk.index].kept;
                 continue;
             }
-            for (const std::uint32_t row : {c.rowA, c.rowB})
+            for (const std::uint32_t row : {of.rowA, of.rowB})
                 std::atomic_ref(scratch.needed[row]).store(1, std::memory_order_relaxed);
         }
     });
@@ -75,6 +91,8 @@ ManifoldCounts updateForStep(std::vector<Contact>& contacts, const ShapeTable& s
         for (std::size_t k = chunk.begin; k < chunk.end; ++k)
             if (scratch.renewed[k] != 0) batch[count++] = &contacts[k];
         updateBatch({batch, count}, shapes, motions, context, paths, counts);
+        for (std::size_t k = chunk.begin; k < chunk.end; ++k)
+            if (scratch.renewed[k] != 0) facts[k] = factsOf(contacts[k], context.tuning);
     });
 
     ManifoldCounts sum;

@@ -22,8 +22,12 @@ struct ManifoldScratch {
 /// The manifolds of all contacts for the whole step, from 0 to dt, which `paths` must be for, placed where
 /// the bodies are. A contact keeps the one it has while both its bodies stay near the poses that it is for.
 /// Pairs that may still meet in another way are flagged `swept`: they are looked at again in every tick.
-ManifoldCounts updateForStep(std::vector<Contact>& contacts, const ShapeTable& shapes,
+/// The facts of contacts are those of the end of the last step if `same`, and are found anew if not.
+ManifoldCounts updateForStep(ContactTable& contacts, bool same, const ShapeTable& shapes,
                              const MotionTable& motions, const StepContext& context, ExpectedPaths& paths,
                              ManifoldScratch& scratch, Parallel& parallel);
+
+/// What is to be known of a contact beside all that it holds.
+ContactFacts factsOf(const Contact& contact, const Tuning& tuning);
 
 }  // namespace tamias2d::inline TAMIAS_PRECISION

@@ -59,7 +59,7 @@ void finalizeContact(Contact& c, const Motion& a, const Motion& b, const ShapeTa
         if (c.apart.gap <= 3 * c.restGap) nearest = nearestAt(pair, 0);
         adoptManifold(c, nearest, real(0.3) * maximum(pair.a.size, pair.b.size));
     }
-    prepareContact(c, a, b);
+    placeContact(c, a, b);
     for (int i = 0; i < c.count; ++i) {
         const double overlap = -static_cast<double>(c.points[i].gap + c.restGap);
         if (overlap > counts.deepestOverlap) counts.deepestOverlap = overlap;

@@ -166,7 +166,7 @@ SolverCounts solve(SolverStage& stage, const StepContext& context)
     }
     scratch.passes.begin(stage.contacts, stage.motions, stage.islands, context,
                          stage.sameContacts && stage.system.empty(), stage.renewed);
-    startSweeps(impacts, context);
+    startSweeps(impacts, context, stage.sameContacts ? &stage.renewed : nullptr);
     findCalmRows(stage.islands, scratch.calmRows);
     lanes.velocities.resize(rows.size());
     lanes.expected.resize(rows.size());

@@ -41,7 +41,7 @@ PairRow pairRowOf(const Contact& c)
     return {c.rowA, c.rowB, c.swept ? c.apart : Apart{}, near, c.swept, false, 0};
 }
 
-void startSweeps(ImpactStage& stage, const StepContext& context)
+void startSweeps(ImpactStage& stage, const StepContext& context, const std::vector<std::uint8_t>* renewed)
 {
     ImpactScratch& scratch = stage.scratch;
     std::vector<PredictedWay>& predicted = stage.rows.predicted;
@@ -73,7 +73,8 @@ void startSweeps(ImpactStage& stage, const StepContext& context)
     scratch.found.reserve(stage.boxes.size());
     scratch.pairs.resize(contacts.size());
     stage.parallel.forEach(contacts.size(), kContactGrain, [&](const Chunk& chunk) {
-        for (std::size_t i = chunk.begin; i < chunk.end; ++i) scratch.pairs[i] = pairRowOf(contacts[i]);
+        for (std::size_t i = chunk.begin; i < chunk.end; ++i)
+            if (renewed == nullptr || (*renewed)[i] != 0) scratch.pairs[i] = pairRowOf(contacts[i]);
     });
     scratch.swept.clear();
     for (std::uint32_t i = 0; i < contacts.size(); ++i)

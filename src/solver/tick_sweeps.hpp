@@ -12,8 +12,9 @@ PairRow pairRowOf(const Contact& contact);
 /// that of its narrowest shape.   [m]
 real slackOf(real width, const StepContext& context);
 
-/// What holds for all ticks of a step.
-void startSweeps(ImpactStage& stage, const StepContext& context);
+/// What holds for all ticks of a step. Of the contacts only those that are `renewed`, which may be null, are
+/// others than at the end of the last step.
+void startSweeps(ImpactStage& stage, const StepContext& context, const std::vector<std::uint8_t>* renewed);
 
 /// Looks again at the swept pairs, over this tick alone: at those that may meet in it, by how they are apart.
 /// docs/theory/contacts.md, section 3.

@@ -61,12 +61,11 @@ struct Census {
     std::uint32_t bodies = 0, dynamicBodies = 0, shapes = 0;   // enabled, or of enabled bodies
 };
 
-/// How near the shapes of a contact are: with no points, with some, or touching or under load.
-enum class Nearness : std::uint8_t { Apart, Near, Linked };
-
 /// Who must be solved together and who may be side by side, and what finding out works with.
 struct GraphScratch {
     std::vector<bool> movable;   // by row: can anything push it?
+    bool groundsMove = false;    // does any of the others move?
+    bool hasJoints = false;
     std::vector<Link> links;
     Islands islands;             // by load or touch
     Islands crowds;              // of all that meet

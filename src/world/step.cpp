@@ -13,6 +13,8 @@
 #include "world/impl.hpp"
 
 #include <algorithm>
+#include <atomic>
+#include <utility>
 
 namespace tamias2d::inline TAMIAS_PRECISION {
 namespace {
@@ -23,31 +25,41 @@ bool byShapes(const Row& a, const Row& b)
     return a.shapeA != b.shapeA ? a.shapeA < b.shapeA : a.shapeB < b.shapeB;
 }
 
-// By row: can anything push it?
-void listMovable(const MotionTable& motions, std::vector<bool>& movable)
+// Who can be pushed, and whether all that cannot be holds still. Returns whether all is as before.
+bool readRows(const MotionTable& motions, GraphScratch& graph)
 {
-    movable.clear();
-    for (const Motion& m : motions.rows) movable.push_back(m.moves());
+    const std::vector<Motion>& rows = motions.rows;
+    bool isSame = graph.movable.size() == rows.size(), groundsMove = false;
+    graph.movable.resize(rows.size());
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+        const bool moves = rows[i].moves();
+        isSame = isSame && graph.movable[i] == moves;
+        graph.movable[i] = moves;
+        groundsMove = groundsMove || (!moves && (rows[i].velocity != Vec2{} || rows[i].spin != 0));
+    }
+    isSame = isSame && !groundsMove && !graph.groundsMove;
+    graph.groundsMove = groundsMove;
+    return isSame;
 }
 
-// What is to be known of contacts, apart from all else that they hold.
-void readContacts(const ContactTable& contacts, const StepContext& context, GraphScratch& graph,
-                  Parallel& parallel)
+// Who meets whom, and how near. Returns whether all are as near as before; they are the `same` pairs.
+bool readContacts(const ContactTable& contacts, bool same, GraphScratch& graph, Parallel& parallel)
 {
-    graph.pairs.resize(contacts.rows.size());
-    graph.nearness.resize(contacts.rows.size());
-    parallel.forEach(contacts.rows.size(), kContactGrain, [&](const Chunk& chunk) {
+    const std::vector<ContactFacts>& facts = contacts.facts;
+    std::atomic<bool> isSame = same;
+    graph.pairs.resize(facts.size());
+    graph.nearness.resize(facts.size());
+    parallel.forEach(facts.size(), kContactGrain, [&](const Chunk& chunk) {
+        bool changes = false;
         for (std::size_t k = chunk.begin; k < chunk.end; ++k) {
-            const Contact& c = contacts.rows[k];
-            bool linked = false;
-            for (int i = 0; i < c.count; ++i) {
-                const real reach = (context.tuning.touchingFactor - 1) * c.restGap;
-                linked = linked || c.points[i].normalImpulse > 0 || c.points[i].gap <= reach;
-            }
-            graph.pairs[k] = {c.rowA, c.rowB};
-            graph.nearness[k] = linked ? Nearness::Linked : c.count > 0 ? Nearness::Near : Nearness::Apart;
+            const ContactFacts& of = facts[k];
+            if (!same) graph.pairs[k] = {of.rowA, of.rowB};
+            changes = changes || graph.nearness[k] != of.nearness;
+            graph.nearness[k] = of.nearness;
         }
+        if (changes) isSame.store(false, std::memory_order_relaxed);
     });
+    return isSame;
 }
 
 // The pairs that are at least that near.
@@ -98,16 +110,18 @@ void markCrowds(ContactTable& contacts, const Tuning& tuning, GraphScratch& grap
     });
 }
 
-// Which contacts touch now, and which of them did not before, or do no more.
+// Which contacts touch now, and which of them did not before, or do no more; and the facts for the next step.
 enum TouchChange : std::uint8_t { Same, Begins, Ends };
 std::uint32_t findTouches(ContactTable& contacts, const Tuning& tuning, std::vector<std::uint8_t>& changes,
                           std::vector<std::uint32_t>& counts, Parallel& parallel)
 {
     changes.resize(contacts.rows.size());
+    contacts.facts.resize(contacts.rows.size());
     counts.assign(Parallel::chunksOf(contacts.rows.size(), kContactGrain), 0);
     parallel.forEach(contacts.rows.size(), kContactGrain, [&](const Chunk& chunk) {
         for (std::size_t k = chunk.begin; k < chunk.end; ++k) {
             Contact& c = contacts.rows[k];
+            contacts.facts[k] = factsOf(c, tuning);
             const bool touches = isTouching(c, tuning);
             changes[k] = touches == c.touching ? Same : touches ? Begins : Ends;
             c.touching = touches;
@@ -225,17 +239,20 @@ StepReport World::Impl::step(double dt, int substeps)
     // How.
     span.next("manifolds");
     const ManifoldCounts manifolds =
-        updateForStep(contacts.rows, shapes, motions, context, paths, manifoldScratch, parallel);
+        updateForStep(contacts, sameContacts, shapes, motions, context, paths, manifoldScratch, parallel);
     r.sweptPairs = manifolds.swept;
     r.clamps.advancement += manifolds.exhausted;
     r.times.manifolds = watch.lap();
 
     // Who must be solved together, and who may be side by side.
     span.next("islands and colors");
-    listMovable(motions, graph.movable);
-    readContacts(contacts, context, graph, parallel);
-    linkTouching(jointSystem, motions, graph);
-    markCrowds(contacts, context.tuning, graph, manifoldScratch.renewed, parallel);
+    const bool sameRows = readRows(motions, graph);
+    const bool sameLinks = readContacts(contacts, sameContacts, graph, parallel);
+    const bool hadJoints = std::exchange(graph.hasJoints, !jointSystem.empty());
+    if (!sameRows || !sameLinks || hadJoints || graph.hasJoints) {
+        linkTouching(jointSystem, motions, graph);
+        markCrowds(contacts, context.tuning, graph, manifoldScratch.renewed, parallel);
+    }
     if (!sameContacts)
         colorConstraints(graph.pairs, graph.movable, contacts.order, contacts.colorEnds, graph.colors);
     r.times.graph = watch.lap();
