@@ -32,7 +32,7 @@ if [ -n "$full" ]; then
         echo "aarch64-linux-gnu-g++:$o:neon"
     done)
 elif [ "$(uname -m)" = x86_64 ]; then
-    builds="g++:0:sse2 g++:3:avx2 clang++-22:0:avx2 clang++-22:3:sse2 aarch64-linux-gnu-g++:3:neon"
+    builds="g++:0:sse2 g++:3:avx2 clang++-22:1:avx2 clang++-22:3:sse2 aarch64-linux-gnu-g++:1:neon"
 else
     builds="g++:0:native g++:3:native clang++-22:2:native"
 fi
