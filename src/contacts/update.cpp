@@ -145,17 +145,17 @@ void ExpectedPaths::collide(std::span<Contact* const> contacts, const ShapeTable
     const auto alone = [&](std::size_t i) {
         results[i] = collideSwept(pairOf(*contacts[i], shapes, motions), 0, end_);
     };
-    using InLanes = void (*)(const PairOnWay*, int, SweptResult*, bool*);
     // Pairs that wait for their lanes to fill, by kind.
     struct Waiting {
         PairOnWay pairs[kLanes];
         std::size_t places[kLanes];
         int count = 0;
-    } quads, discs;
-    const auto together = [&](Waiting& waiting, InLanes collideInLanes) {
+    } waitingOf[kLaneKinds];
+    const auto together = [&](int kind) {
+        Waiting& waiting = waitingOf[kind];
         SweptResult found[kLanes];
         bool decided[kLanes];
-        collideInLanes(waiting.pairs, waiting.count, found, decided);
+        collideInLanes(static_cast<LaneKind>(kind), waiting.pairs, waiting.count, found, decided);
         for (int k = 0; k < waiting.count; ++k) {
             if (decided[k])
                 results[waiting.places[k]] = found[k];
@@ -164,32 +164,24 @@ void ExpectedPaths::collide(std::span<Contact* const> contacts, const ShapeTable
         }
         waiting.count = 0;
     };
-    const auto take = [&](Waiting& waiting, std::size_t i, InLanes collideInLanes) {
-        waiting.pairs[waiting.count] = pairOnWayOf(*contacts[i], shapes, motions);
-        waiting.places[waiting.count] = i;
-        if (++waiting.count == kLanes) together(waiting, collideInLanes);
-    };
-    // Lanes that stand half empty are slower than one pair after the other.
-    const auto takeRest = [&](Waiting& waiting, InLanes collideInLanes) {
-        if (waiting.count > kLanes / 2) together(waiting, collideInLanes);
-        for (int k = 0; k < waiting.count; ++k) alone(waiting.places[k]);
-    };
     for (std::size_t i = 0; i < contacts.size(); ++i) {
         const Contact& c = *contacts[i];
-        switch (laneKindOf(shapes.convex(c.shapeA), shapes.convex(c.shapeB))) {
-        case LaneKind::Quads:
-            take(quads, i, collideQuads);
-            break;
-        case LaneKind::Discs:
-            take(discs, i, collideDiscs);
-            break;
-        case LaneKind::None:
+        const LaneKind kind = laneKindOf(shapes.convex(c.shapeA), shapes.convex(c.shapeB));
+        if (kind == LaneKind::None) {
             alone(i);
-            break;
+            continue;
         }
+        Waiting& waiting = waitingOf[static_cast<int>(kind)];
+        waiting.pairs[waiting.count] = pairOnWayOf(c, shapes, motions);
+        waiting.places[waiting.count] = i;
+        if (++waiting.count == kLanes) together(static_cast<int>(kind));
     }
-    takeRest(quads, collideQuads);
-    takeRest(discs, collideDiscs);
+    // Lanes that stand half empty are slower than one pair after the other.
+    for (int kind = 0; kind < kLaneKinds; ++kind) {
+        const Waiting& waiting = waitingOf[kind];
+        if (waiting.count > kLanes / 2) together(kind);
+        for (int k = 0; k < waiting.count; ++k) alone(waiting.places[k]);
+    }
 }
 
 void adoptManifold(Contact& contact, const SweptResult& result, real matchDistance)

@@ -2,7 +2,7 @@
 #include "narrowphase/side_by_side.hpp"
 
 #include "narrowphase/disc_kernel.hpp"
-#include "narrowphase/quad_kernel.hpp"
+#include "narrowphase/polygon_kernel.hpp"
 
 namespace tamias2d::inline TAMIAS_PRECISION {
 
@@ -61,25 +61,26 @@ WayColumns readWays(const PairOnWay* pairs, int count, BasicVec2<Lanes> position
     return {{position, c[0], c[1]}, {(position + byVelocity) + byAcceleration, c[2], c[3]}, c[8]};
 }
 
-template <const Convex* PairOnWay::* Shape>
-void readShapes(const PairOnWay* pairs, int count, QuadOnWay<Lanes>& quad)
+template <const Convex* PairOnWay::* Shape, int N>
+void readShapes(const PairOnWay* pairs, int count, PolygonOnWay<Lanes, N>& polygon)
 {
     Rows vertices, normals;
     for (int i = 0; i < kLanes; ++i) {
         const Convex& shape = *(pairOf(pairs, count, i).*Shape);
         vertices[i] = &shape.vertices[0].x;
         normals[i] = &shape.normals[0].x;
+        polygon.last.v[i] = static_cast<real>(shape.count - 1);
     }
-    Lanes v[8], n[8];
-    loadColumns<8>(vertices, v);
-    loadColumns<8>(normals, n);
-    for (int i = 0; i < 4; ++i) {
-        quad.vertices[i] = {v[2 * i], v[2 * i + 1]};
-        quad.normals[i] = {n[2 * i], n[2 * i + 1]};
+    Lanes v[2 * N], n[2 * N];
+    loadColumns<2 * N>(vertices, v);
+    loadColumns<2 * N>(normals, n);
+    for (int i = 0; i < N; ++i) {
+        polygon.vertices[i] = {v[2 * i], v[2 * i + 1]};
+        polygon.normals[i] = {n[2 * i], n[2 * i + 1]};
     }
 }
 
-void write(const QuadResult<Lanes>& lanes, int i, SweptResult& result)
+void write(const PolygonResult<Lanes>& lanes, int i, SweptResult& result)
 {
     result = {};
     result.startGap = lanes.startGap.v[i];
@@ -91,7 +92,7 @@ void write(const QuadResult<Lanes>& lanes, int i, SweptResult& result)
     manifold.normal = {lanes.normal.x.v[i], lanes.normal.y.v[i]};
     manifold.count = lanes.single.v[i] != 0 ? 1 : 2;
     for (int k = 0; k < manifold.count; ++k) {
-        const QuadPoint<Lanes>& from = lanes.points[k];
+        const PolygonPoint<Lanes>& from = lanes.points[k];
         ManifoldPoint& to = manifold.points[k];
         to.localA = {from.localA.x.v[i], from.localA.y.v[i]};
         to.localB = {from.localB.x.v[i], from.localB.y.v[i]};
@@ -112,20 +113,19 @@ void write(const DiscResult<Lanes>& lanes, int i, const PairOnWay& pair, SweptRe
     vertexManifold(*pair.a, *pair.b, nearest, result.manifold);
 }
 
-}  // namespace
-
-void collideQuads(const PairOnWay* pairs, int count, SweptResult* results, bool* decided)
+template <int N>
+void collidePolygons(const PairOnWay* pairs, int count, SweptResult* results, bool* decided)
 {
     const PairColumns own = readPairs(pairs, count);
     const WayColumns wayA = readWays<&PairOnWay::wayA>(pairs, count, own.positionA);
     const WayColumns wayB = readWays<&PairOnWay::wayB>(pairs, count, own.positionB);
-    QuadOnWay<Lanes> a, b;
+    PolygonOnWay<Lanes, N> a, b;
     readShapes<&PairOnWay::a>(pairs, count, a);
     readShapes<&PairOnWay::b>(pairs, count, b);
     a.start = wayA.start, a.end = wayA.end, a.turn = wayA.turn, a.extent = own.extentA;
     b.start = wayB.start, b.end = wayB.end, b.turn = wayB.turn, b.extent = own.extentB;
-    QuadResult<Lanes> lanes;
-    collideQuads(a, b, own.restGap, lanes);
+    PolygonResult<Lanes> lanes;
+    collidePolygons(a, b, own.restGap, lanes);
     for (int i = 0; i < count; ++i) {
         decided[i] = lanes.decided.v[i] != 0;
         if (decided[i]) write(lanes, i, results[i]);
@@ -148,11 +148,33 @@ void collideDiscs(const PairOnWay* pairs, int count, SweptResult* results, bool*
     }
 }
 
+}  // namespace
+
 LaneKind laneKindOf(const Convex& a, const Convex& b)
 {
-    const auto isQuad = [](const Convex& shape) { return shape.count == 4 && shape.radius <= 0; };
-    if (isQuad(a) && isQuad(b)) return LaneKind::Quads;
-    return a.isDisc() && b.isDisc() ? LaneKind::Discs : LaneKind::None;
+    if (a.isDisc() && b.isDisc()) return LaneKind::Discs;
+    if (!isSharpPair(a, b)) return LaneKind::None;
+    const int corners = a.count > b.count ? a.count : b.count;
+    return corners <= 4   ? LaneKind::Corners4
+           : corners <= 6 ? LaneKind::Corners6
+           : corners <= 8 ? LaneKind::Corners8
+                          : LaneKind::None;
+}
+
+void collideInLanes(LaneKind kind, const PairOnWay* pairs, int count, SweptResult* results, bool* decided)
+{
+    switch (kind) {
+    case LaneKind::Corners4:
+        return collidePolygons<4>(pairs, count, results, decided);
+    case LaneKind::Corners6:
+        return collidePolygons<6>(pairs, count, results, decided);
+    case LaneKind::Corners8:
+        return collidePolygons<8>(pairs, count, results, decided);
+    case LaneKind::Discs:
+        return collideDiscs(pairs, count, results, decided);
+    case LaneKind::None:
+        for (int i = 0; i < count; ++i) decided[i] = false;
+    }
 }
 
 }  // namespace tamias2d::inline TAMIAS_PRECISION

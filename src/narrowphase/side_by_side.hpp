@@ -24,13 +24,13 @@ struct PairOnWay {
     real restGap;                ///< [m]
 };
 
-/// How each of up to kLanes pairs meets between 0 and the time of their ways: as collideSwept, or false in
-/// `decided` where that must be asked.
-void collideQuads(const PairOnWay* pairs, int count, SweptResult* results, bool* decided);
-void collideDiscs(const PairOnWay* pairs, int count, SweptResult* results, bool* decided);
-
-/// What lanes may try: two sharp quadrilaterals (boxes, above all), or two discs.
-enum class LaneKind { None, Quads, Discs };
+/// What lanes may try: two sharp polygons of up to so many corners, or one and a line; or two discs.
+enum class LaneKind { Corners4, Corners6, Corners8, Discs, None };
+inline constexpr int kLaneKinds = 4;   // but for None
 LaneKind laneKindOf(const Convex& a, const Convex& b);
+
+/// How each of up to kLanes pairs of a kind meets between 0 and the time of their ways: as collideSwept, or
+/// false in `decided` where that must be asked.
+void collideInLanes(LaneKind kind, const PairOnWay* pairs, int count, SweptResult* results, bool* decided);
 
 }  // namespace tamias2d::inline TAMIAS_PRECISION

@@ -8,6 +8,7 @@
 #include <limits>
 #include <random>
 #include <string>
+#include <vector>
 
 namespace tamias2d {
 namespace {
@@ -57,20 +58,44 @@ std::string difference(const SweptResult& a, const SweptResult& b)
 
 constexpr double kStep = 1.0 / 60;
 
-// Two boxes that rest on, slide along or fly past each other, and every degenerate way of doing so.
+void inLanes(const PairOnWay* pairs, int count, SweptResult* results, bool* decided)
+{
+    collideInLanes(laneKindOf(*pairs->a, *pairs->b), pairs, count, results, decided);
+}
+
+// What may be in the lanes of a kind, the first of them so that it can be nothing else.
+struct Family {
+    LaneKind kind;
+    std::vector<Geometry> shapes;
+};
+const Family kBoxes{
+    LaneKind::Corners4,
+    {makeBox(1, 1), makeBox(1, real(0.5)), makeBox(4, real(0.1)), makeRegularPolygon(4, real(0.7))}};
+const Family kTriangles{LaneKind::Corners4,
+                        {makeRegularPolygon(3, real(0.7)), makeBox(2, real(0.2)), makeRegularPolygon(3, 1),
+                         Segment{{real(-1.5), 0}, {real(1.5), 0}, 0}}};
+const Family kHexagons{LaneKind::Corners6,
+                       {makeRegularPolygon(5, real(0.6)), makeRegularPolygon(6, real(0.6)), makeBox(1, 1),
+                        makeRegularPolygon(3, real(0.7)), Segment{{real(-1.5), 0}, {real(1.5), 0}, 0}}};
+const Family kOctagons{LaneKind::Corners8,
+                       {makeRegularPolygon(7, real(0.6)), makeRegularPolygon(8, real(0.6)), makeBox(2, 1),
+                        makeRegularPolygon(5, real(0.6)), makeRegularPolygon(6, real(0.6))}};
+
+// Two polygons that rest on, slide along or fly past each other, and every degenerate way of doing so.
 struct Scene {
     Convex a, b;
     Trajectory pathA, pathB;
     real restGap = real(1e-3);
 
-    explicit Scene(std::mt19937& random)
+    explicit Scene(std::mt19937& random, const Family& family = kBoxes)
     {
         std::uniform_real_distribution<double> unit(-1, 1);
         const auto whole = [&] { return static_cast<double>(static_cast<int>(random() % 5)) - 2; };
-        const Geometry shapes[] = {makeBox(1, 1), makeBox(1, real(0.5)), makeBox(4, real(0.1)),
-                                   makeRegularPolygon(4, real(0.7))};
-        a = convexOf(shapes[random() % 4]);
-        b = convexOf(shapes[random() % 4]);
+        const std::vector<Geometry>& shapes = family.shapes;
+        do {
+            a = convexOf(shapes[random() % shapes.size()]);
+            b = convexOf(shapes[random() % shapes.size()]);
+        } while (laneKindOf(a, b) != family.kind);
         const bool aligned = random() % 2 == 0, still = random() % 3 == 0;
         const double size = 0.5 * (static_cast<double>(a.size) + static_cast<double>(b.size));
         // On the face or on its end, to the last digit or nearly; or anywhere.
@@ -102,7 +127,9 @@ struct Scene {
     }
 };
 
-TEST(SideBySide, QuadsMeetAsEachPairAlone)
+class PolygonsSideBySide : public testing::TestWithParam<const Family*> {};
+
+TEST_P(PolygonsSideBySide, MeetAsEachPairAlone)
 {
     TRACES("ADR5", "ADR6", "R7");
     std::mt19937 random(21);
@@ -111,28 +138,28 @@ TEST(SideBySide, QuadsMeetAsEachPairAlone)
     for (int trial = 0; trial < 20000; ++trial) {
         const int count = 1 + static_cast<int>(random() % kLanes);
         std::vector<Scene> scenes;
-        for (int i = 0; i < count; ++i) scenes.emplace_back(random);
+        for (int i = 0; i < count; ++i) scenes.emplace_back(random, *GetParam());
         std::vector<SpanOfWay> ways;
         for (const Scene& s : scenes) {
             ways.emplace_back(s.pathA, end);
             ways.emplace_back(s.pathB, end);
         }
-        PairOnWay quads[kLanes];
+        PairOnWay polygons[kLanes];
         for (int i = 0; i < count; ++i) {
             const auto k = static_cast<std::size_t>(i);
             const Scene& s = scenes[k];
-            quads[i] = {&s.a,     &s.b, &ways[2 * k], &ways[2 * k + 1], s.pathA.position, s.pathB.position,
-                        s.restGap};
+            polygons[i] = {&s.a,     &s.b, &ways[2 * k], &ways[2 * k + 1], s.pathA.position, s.pathB.position,
+                           s.restGap};
         }
-        SweptResult inLanes[kLanes];
+        SweptResult found[kLanes];
         bool decided[kLanes];
-        collideQuads(quads, count, inLanes, decided);
+        inLanes(polygons, count, found, decided);
         pairs += count;
         for (int i = 0; i < count; ++i) {
             if (!decided[i]) continue;
             const Scene& s = scenes[static_cast<std::size_t>(i)];
             const SweptResult alone = collideSwept({s.a, s.b, s.pathA, s.pathB, s.restGap}, 0, end);
-            ASSERT_EQ(difference(inLanes[i], alone), "") << "trial " << trial << ", lane " << i;
+            ASSERT_EQ(difference(found[i], alone), "") << "trial " << trial << ", lane " << i;
             ++decidedPairs;
             touching += alone.near ? 1 : 0;
             onePoint += alone.near && alone.manifold.count == 1 ? 1 : 0;
@@ -142,12 +169,20 @@ TEST(SideBySide, QuadsMeetAsEachPairAlone)
     // The cases that lanes are there for do occur, and most pairs are decided.
     EXPECT_GT(decidedPairs, pairs * 6 / 10) << pairs;
     EXPECT_GT(touching, 5000);
-    EXPECT_GT(onePoint, 50);
+    EXPECT_GT(onePoint, 5);  // rare where no corner stands above a face
     EXPECT_GT(bending, 50);
 }
 
+std::string nameOf(const testing::TestParamInfo<const Family*>& test)
+{
+    const char* const names[] = {"boxes", "triangles", "hexagons", "octagons"};
+    return names[test.index];
+}
+INSTANTIATE_TEST_SUITE_P(Kinds, PolygonsSideBySide,
+                         testing::Values(&kBoxes, &kTriangles, &kHexagons, &kOctagons), nameOf);
+
 // A pair is decided the same way in whatever lane it stands, and whoever stands beside it.
-TEST(SideBySide, QuadsAreDecidedWhoeverStandsBesideThem)
+TEST(SideBySide, BoxesAreDecidedWhoeverStandsBesideThem)
 {
     TRACES("ADR6");
     std::mt19937 random(22);
@@ -163,8 +198,8 @@ TEST(SideBySide, QuadsAreDecidedWhoeverStandsBesideThem)
         for (int i = 0; i < kLanes; ++i) beside[i] = i == kLanes - 1 ? pair : neighbor;
         SweptResult alone[kLanes], last[kLanes];
         bool decidedAlone[kLanes], decidedLast[kLanes];
-        collideQuads(&pair, 1, alone, decidedAlone);
-        collideQuads(beside, kLanes, last, decidedLast);
+        inLanes(&pair, 1, alone, decidedAlone);
+        inLanes(beside, kLanes, last, decidedLast);
         ASSERT_EQ(decidedAlone[0], decidedLast[kLanes - 1]) << "trial " << trial;
         if (decidedAlone[0]) {
             ASSERT_EQ(difference(alone[0], last[kLanes - 1]), "") << "trial " << trial;
@@ -173,7 +208,7 @@ TEST(SideBySide, QuadsAreDecidedWhoeverStandsBesideThem)
 }
 
 // Against geometry of its own: a box that lies flat on another shares with it the overlap of two intervals.
-TEST(SideBySide, QuadsThatLieFlatTouchAtTheEndsOfWhatTheyShare)
+TEST(SideBySide, BoxesThatLieFlatTouchAtTheEndsOfWhatTheyShare)
 {
     TRACES("LC1", "IM3");
     std::mt19937 random(23);
@@ -193,7 +228,7 @@ TEST(SideBySide, QuadsThatLieFlatTouchAtTheEndsOfWhatTheyShare)
         const PairOnWay pair{&a, &b, &wayA, &wayB, pathA.position, pathB.position, real(1e-3)};
         SweptResult result;
         bool decided = false;
-        collideQuads(&pair, 1, &result, &decided);
+        inLanes(&pair, 1, &result, &decided);
         ASSERT_TRUE(decided && result.near) << "trial " << trial;
         ASSERT_EQ(result.manifold.count, 2) << "trial " << trial;
         EXPECT_NEAR(result.manifold.normal.y, 1, tolerance);
@@ -237,13 +272,13 @@ TEST(SideBySide, DiscsMeetAsEachPairAlone)
         }
         const SpanOfWay wayA(pathA, end), wayB(pathB, end);
         const PairOnWay pair{&a, &b, &wayA, &wayB, pathA.position, pathB.position, real(1e-3)};
-        SweptResult inLanes;
+        SweptResult found;
         bool decided = false;
-        collideDiscs(&pair, 1, &inLanes, &decided);
+        inLanes(&pair, 1, &found, &decided);
         const SweptResult alone = collideSwept({a, b, pathA, pathB, real(1e-3)}, 0, end);
         ++pairs;
         if (!decided) continue;
-        ASSERT_EQ(difference(inLanes, alone), "") << "trial " << trial;
+        ASSERT_EQ(difference(found, alone), "") << "trial " << trial;
         ++decidedPairs;
         touching += alone.near ? 1 : 0;
         overlapping += alone.near && alone.startGap < 0 ? 1 : 0;

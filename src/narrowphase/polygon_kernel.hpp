@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
-// How sharp quadrilaterals meet that a face keeps apart, several pairs at once (T = Lane): what collideSwept
-// says of such a pair, to the last bit. Of pairs that are another case (turning far, overlapping, sliding
-// off) it says that it cannot decide. Derivation: docs/theory/contacts.md, section 2.
+// How sharp polygons of up to N corners, or one and a line, meet that a face keeps apart, several pairs at
+// once (T = Lane): what collideSwept says of such a pair, to the last bit. Of pairs that are another case
+// (turning far, overlapping, sliding off) it says that it cannot decide. Derivation: docs/theory/contacts.md,
+// section 2.
 #pragma once
 
 #include "narrowphase/face_kernel.hpp"
@@ -10,31 +11,33 @@
 
 namespace tamias2d::inline TAMIAS_PRECISION {
 
-/// A quadrilateral on its way through a span of time.
-template <class T>
-struct QuadOnWay {
-    BasicVec2<T> vertices[4], normals[4];   ///< in the body's frame, as those of Convex
+/// A polygon on its way through a span of time. Beyond its corners stand copies of the last one, which never
+/// beat the one they copy.
+template <class T, int N>
+struct PolygonOnWay {
+    BasicVec2<T> vertices[N], normals[N];   ///< in the body's frame, as those of Convex
+    T last;                                 ///< the number of the last corner: a whole number
     BasicPose<T> start, end;
     T turn;                                 ///< by how much it turns in between, absolute   [rad]
     T extent;                               ///< [m]
 };
 
-template <class T>
-struct PlacedQuad {
-    BasicVec2<T> vertices[4], normals[4];
+template <class T, int N>
+struct PlacedPolygon {
+    BasicVec2<T> vertices[N], normals[N];
 
-    PlacedQuad() = default;
-    PlacedQuad(const QuadOnWay<T>& quad, const BasicPose<T>& pose)
+    PlacedPolygon() = default;
+    PlacedPolygon(const PolygonOnWay<T, N>& polygon, const BasicPose<T>& pose)
     {
-        for (int i = 0; i < 4; ++i) {
-            vertices[i] = pose.at(quad.vertices[i]);
-            normals[i] = rotate(pose.c, pose.s, quad.normals[i]);
+        for (int i = 0; i < N; ++i) {
+            vertices[i] = pose.at(polygon.vertices[i]);
+            normals[i] = rotate(pose.c, pose.s, polygon.normals[i]);
         }
     }
 };
 
 template <class T>
-struct QuadPoint {
+struct PolygonPoint {
     BasicVec2<T> localA, localB;
     MaskOf<T> cornerOnA;
     T feature;              // a whole number
@@ -42,40 +45,48 @@ struct QuadPoint {
 
 /// As SweptResult, of pairs that are decided.
 template <class T>
-struct QuadResult {
+struct PolygonResult {
     MaskOf<T> decided, near, bends, single;
     T startGap;
     BasicVec2<T> axis;   // and the gap along it: Apart
     T apart;
     BasicVec2<T> normal;
-    QuadPoint<T> points[2];
+    PolygonPoint<T> points[2];
 };
 
-// Which of four: `index` is a whole number from 0 to 3.
-template <class T>
+// One of N: `index` is a whole number from 0 on.
+template <class T, int N>
 struct Pick {
-    MaskOf<T> over0, over1, over2;
-    explicit Pick(T index)
-        : over0(index > T(real(0.5))), over1(index > T(real(1.5))), over2(index > T(real(2.5)))
+    MaskOf<T> over[N - 1];   // is the index greater than that?
+    MaskOf<T> isLast;
+
+    Pick(T index, T last) : isLast(index > last - T(real(0.5)))
     {
+        for (int i = 0; i < N - 1; ++i) over[i] = index > T(static_cast<real>(i) + real(0.5));
     }
 
-    BasicVec2<T> of(const BasicVec2<T>& v0, const BasicVec2<T>& v1, const BasicVec2<T>& v2,
-                    const BasicVec2<T>& v3) const
+    BasicVec2<T> of(const BasicVec2<T> (&v)[N]) const
     {
-        return select(over2, v3, select(over1, v2, select(over0, v1, v0)));
+        BasicVec2<T> picked = v[0];
+        for (int i = 0; i < N - 1; ++i) picked = select(over[i], v[i + 1], picked);
+        return picked;
     }
-    BasicVec2<T> of(const BasicVec2<T> (&v)[4]) const { return of(v[0], v[1], v[2], v[3]); }
-    BasicVec2<T> nextOf(const BasicVec2<T> (&v)[4]) const { return of(v[1], v[2], v[3], v[0]); }
+    BasicVec2<T> nextOf(const BasicVec2<T> (&v)[N]) const
+    {
+        BasicVec2<T> picked = v[1];
+        for (int i = 0; i < N - 2; ++i) picked = select(over[i], v[i + 2], picked);
+        return select(isLast, v[0], picked);
+    }
 };
 
 /// By face of `core`, the least distance of the vertices of `other` in front of it; returns the greatest.
-template <class T>
-T distancesByFace(const PlacedQuad<T>& core, const PlacedQuad<T>& other, T greatest, T (&distances)[4])
+template <class T, int N>
+T distancesByFace(const PlacedPolygon<T, N>& core, const PlacedPolygon<T, N>& other, T greatest,
+                  T (&distances)[N])
 {
-    for (int i = 0; i < 4; ++i) {
+    for (int i = 0; i < N; ++i) {
         T least(std::numeric_limits<real>::max());
-        for (int k = 0; k < 4; ++k)
+        for (int k = 0; k < N; ++k)
             least = minimum(least, dot(core.normals[i], other.vertices[k] - core.vertices[i]));
         distances[i] = least;
         greatest = maximum(least, greatest);
@@ -91,7 +102,7 @@ BasicPose<T> select(MaskOf<T> condition, const BasicPose<T>& a, const BasicPose<
 
 /// The face of the best score over the sweep, as bestFaceOverSweep.
 template <class T>
-struct QuadFace {
+struct SweptPolygonFace {
     T score{-std::numeric_limits<real>::max()}, first, last, index;
     MaskOf<T> onB{};
 
@@ -106,20 +117,22 @@ struct QuadFace {
     }
 };
 
-/// That face in the frame of its body, and the quadrilateral it faces in that of the other.
-template <class T>
-struct FaceOfQuads {
+/// That face in the frame of its body, and the polygon it faces in that of the other.
+template <class T, int N>
+struct FaceOfPolygons {
     MaskOf<T> onB;
     BasicVec2<T> normal, origin, next;
-    BasicVec2<T> vertices[4], normals[4];
+    BasicVec2<T> vertices[N], normals[N];
+    T last;
 
-    FaceOfQuads(const QuadOnWay<T>& a, const QuadOnWay<T>& b, MaskOf<T> isOnB, T index) : onB(isOnB)
+    FaceOfPolygons(const PolygonOnWay<T, N>& a, const PolygonOnWay<T, N>& b, MaskOf<T> isOnB, T index)
+        : onB(isOnB), last(select(isOnB, a.last, b.last))
     {
-        const Pick<T> face(index);
+        const Pick<T, N> face(index, select(onB, b.last, a.last));
         normal = select(onB, face.of(b.normals), face.of(a.normals));
         origin = select(onB, face.of(b.vertices), face.of(a.vertices));
         next = select(onB, face.nextOf(b.vertices), face.nextOf(a.vertices));
-        for (int i = 0; i < 4; ++i) {
+        for (int i = 0; i < N; ++i) {
             vertices[i] = select(onB, a.vertices[i], b.vertices[i]);
             normals[i] = select(onB, a.normals[i], b.normals[i]);
         }
@@ -127,13 +140,14 @@ struct FaceOfQuads {
 };
 
 /// The face at one end of the sweep, with the edge that faces it most squarely.
-template <class T>
-struct ClippedQuads {
+template <class T, int N>
+struct ClippedPolygons {
     BasicVec2<T> n, origin;   // of the face
     T start, end;             // vertices of the edge: whole numbers
     ClippedEdge<T> clip;
 
-    ClippedQuads(const FaceOfQuads<T>& face, const QuadOnWay<T>& a, const QuadOnWay<T>& b, MaskOf<T> atEnd)
+    ClippedPolygons(const FaceOfPolygons<T, N>& face, const PolygonOnWay<T, N>& a,
+                    const PolygonOnWay<T, N>& b, MaskOf<T> atEnd)
     {
         const BasicPose<T> poseA = select(atEnd, a.end, a.start), poseB = select(atEnd, b.end, b.start);
         const BasicPose<T> here = select(face.onB, poseB, poseA), there = select(face.onB, poseA, poseB);
@@ -141,14 +155,14 @@ struct ClippedQuads {
         origin = here.at(face.origin);
         start = T(real(0));
         T squarest = dot(n, rotate(there.c, there.s, face.normals[0]));
-        for (int i = 1; i < 4; ++i) {
+        for (int i = 1; i < N; ++i) {
             const T along = dot(n, rotate(there.c, there.s, face.normals[i]));
             const MaskOf<T> better = along < squarest;
             squarest = select(better, along, squarest);
             start = select(better, T(static_cast<real>(i)), start);
         }
-        const Pick<T> edge(start);
-        end = select(edge.over2, T(real(0)), start + T(real(1)));
+        const Pick<T, N> edge(start, face.last);
+        end = select(edge.isLast, T(real(0)), start + T(real(1)));
         clip = clipEdge(n, origin, here.at(face.next), there.at(edge.of(face.vertices)),
                         there.at(edge.nextOf(face.vertices)));
     }
@@ -156,7 +170,7 @@ struct ClippedQuads {
 
 /// The face that separates best at both ends: Apart.
 template <class T>
-struct QuadAxis {
+struct PolygonAxis {
     T widest{-std::numeric_limits<real>::max()}, gap = widest;
     BasicVec2<T> axis;
 
@@ -170,19 +184,20 @@ struct QuadAxis {
     }
 };
 
-template <class T>
-void collideQuads(const QuadOnWay<T>& a, const QuadOnWay<T>& b, T restGap, QuadResult<T>& result)
+template <class T, int N>
+void collidePolygons(const PolygonOnWay<T, N>& a, const PolygonOnWay<T, N>& b, T restGap,
+                     PolygonResult<T>& result)
 {
     const T lowest(-std::numeric_limits<real>::max());
     const T admit = T(real(3)) * restGap, deep = -restGap / T(real(2)), preference = T(real(0.1)) * restGap;
-    const PlacedQuad<T> a0(a, a.start), b0(b, b.start), a1(a, a.end), b1(b, b.end);
-    T fromA0[4], fromB0[4], fromA1[4], fromB1[4];
+    const PlacedPolygon<T, N> a0(a, a.start), b0(b, b.start), a1(a, a.end), b1(b, b.end);
+    T fromA0[N], fromB0[N], fromA1[N], fromB1[N];
     const T startGap = distancesByFace(b0, a0, distancesByFace(a0, b0, lowest, fromA0), fromB0);
     const T endGap = distancesByFace(b1, a1, distancesByFace(a1, b1, lowest, fromA1), fromB1);
 
-    QuadAxis<T> between;
-    for (int i = 0; i < 4; ++i) between.consider(fromA0[i], fromA1[i], a0.normals[i]);
-    for (int i = 0; i < 4; ++i) between.consider(fromB0[i], fromB1[i], -b0.normals[i]);
+    PolygonAxis<T> between;
+    for (int i = 0; i < N; ++i) between.consider(fromA0[i], fromA1[i], a0.normals[i]);
+    for (int i = 0; i < N; ++i) between.consider(fromB0[i], fromB1[i], -b0.normals[i]);
     result.axis = between.axis;
     result.apart = between.gap;
 
@@ -198,13 +213,13 @@ void collideQuads(const QuadOnWay<T>& a, const QuadOnWay<T>& b, T restGap, QuadR
     // The face that keeps them apart all the way.
     const T eighth(real(8));
     const T sagitta = a.turn * a.turn / eighth * a.extent + b.turn * b.turn / eighth * b.extent;
-    QuadFace<T> best;
-    for (int i = 0; i < 4; ++i) {
+    SweptPolygonFace<T> best;
+    for (int i = 0; i < N; ++i) {
         const T nearest = minimum(fromA0[i], fromA1[i]);
         const T score = faceScore(nearest, a0.normals[i], slide, deep, restGap);
         best.consider(score > best.score, false, i, score, fromA0[i], fromA1[i]);
     }
-    for (int i = 0; i < 4; ++i) {
+    for (int i = 0; i < N; ++i) {
         const T nearest = minimum(fromB0[i], fromB1[i]);
         const T score = faceScore(nearest, b0.normals[i], slide, deep, restGap);
         const T handicap = select(best.onB, T(real(0)), preference);
@@ -225,11 +240,11 @@ void collideQuads(const QuadOnWay<T>& a, const QuadOnWay<T>& b, T restGap, QuadR
     // ends, there is none.
     const MaskOf<T> slow = travel < T(real(0.25)) * minimum(a.extent, b.extent);
     const MaskOf<T> atEnd = (best.first + preference >= best.last) & ((!forced) | slow);
-    const FaceOfQuads<T> face(a, b, best.onB, best.index);
-    const ClippedQuads<T> edge(face, a, b, atEnd);
+    const FaceOfPolygons<T, N> face(a, b, best.onB, best.index);
+    const ClippedPolygons<T, N> edge(face, a, b, atEnd);
     const ClippedEdge<T>& clip = edge.clip;
     if (const MaskOf<T> beyond = admitted & clip.beyond; any(beyond)) {
-        const ClippedQuads<T> other(face, a, b, !atEnd);
+        const ClippedPolygons<T, N> other(face, a, b, !atEnd);
         result.decided = result.decided | (beyond & other.clip.beyond);
     }
     const BasicPose<T> poseA = select(atEnd, a.end, a.start), poseB = select(atEnd, b.end, b.start);
@@ -243,7 +258,7 @@ void collideQuads(const QuadOnWay<T>& a, const QuadOnWay<T>& b, T restGap, QuadR
         const MaskOf<T> cut = i == 0 ? clip.farCut : clip.nearCut;
         const MaskOf<T> isEnd = (isNear & (!clip.swapped)) | ((!isNear) & clip.swapped);
         const BasicVec2<T> foot = footOn(edge.n, edge.origin, corner);
-        QuadPoint<T>& point = result.points[i];
+        PolygonPoint<T>& point = result.points[i];
         point.localA = inverseRotate(poseA.c, poseA.s, select(best.onB, corner, foot) - poseA.p);
         point.localB = inverseRotate(poseB.c, poseB.s, select(best.onB, foot, corner) - poseB.p);
         point.cornerOnA = (cut & (!best.onB)) | ((!cut) & best.onB);
@@ -254,7 +269,7 @@ void collideQuads(const QuadOnWay<T>& a, const QuadOnWay<T>& b, T restGap, QuadR
 
     // Does the true surface leave its plane? Where that must be looked at halfway, it is left to others.
     const auto hides = [&](T gap, const BasicPose<T>& whereA, const BasicPose<T>& whereB) {
-        const auto shown = [&](const QuadPoint<T>& p) {
+        const auto shown = [&](const PolygonPoint<T>& p) {
             return distanceAlong(result.normal, whereA, p.localA, whereB, p.localB);
         };
         const T first = minimum(T(std::numeric_limits<real>::max()), shown(result.points[0]));
