@@ -79,6 +79,7 @@ struct MotionTable {
     std::uint32_t parts = 0;           // how many of the rows took part from the start
     std::vector<std::uint32_t> versions;   // by row: of the pose that manifolds of it are kept for,
     std::vector<Position> origins;         // and where the center was then
+    std::vector<real> rooms;  // how far beyond their expected ways boxes made in this step reach at least [m]
 
     std::uint32_t rowFor(std::uint32_t body) const { return body < rowOf.size() ? rowOf[body] : kNone; }
 };

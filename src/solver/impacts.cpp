@@ -46,6 +46,7 @@ private:
     void lookAgain(std::uint32_t i);
     void follow(std::uint32_t row, std::uint32_t hit);
     void pairAgain(std::uint32_t row);
+    void lookFarther(std::uint32_t row);
 };
 
 ImpactSolver::ImpactSolver(ImpactStage& stage, const StepContext& context, int tick)
@@ -197,6 +198,16 @@ void ImpactSolver::pairAgain(std::uint32_t row)
     for (const std::uint32_t i : ways_.pairAgain(row)) lookAgain(i);
 }
 
+// Pairs of a body on another way that were too far apart to meet on the old one.
+void ImpactSolver::lookFarther(std::uint32_t row)
+{
+    const ContactChains& chains = scratch_.chains;
+    for (std::uint32_t link = chains.first(row); link != ContactChains::kEnd; link = chains.next(link)) {
+        const std::uint32_t i = ContactChains::contactOf(link);
+        if (!pairRow(i).swept && !stage_.passes.holds(i)) lookAgain(i);
+    }
+}
+
 // What the impact of a contact changes for a body of it: all its other contacts go another way.
 void ImpactSolver::follow(std::uint32_t row, std::uint32_t hit)
 {
@@ -215,6 +226,7 @@ void ImpactSolver::run(const std::vector<std::uint32_t>& approaching)
         connect(stage_);
         trackFlight(row);
         pairAgain(row);
+        lookFarther(row);
     }
     for (const std::uint32_t i : approaching) schedule(i);
     while (!scratch_.queue.empty()) {

@@ -48,13 +48,14 @@ void startSweeps(ImpactStage& stage, const StepContext& context, const std::vect
     predicted.clear();
     for (const Motion& m : stage.motions.rows) {
         const LaneRow& pose = stage.rows.poses[predicted.size()];
+        const real room = stage.motions.rooms[predicted.size()];
         const Trajectory path = predictedPath(m, m.center, context.invH);
         // What holds still leaves no box.
         const real least = m.moves() ? stage.world.shapes.widthOf(stage.world.bodies.rows[m.body])
                                      : std::numeric_limits<real>::max();
         predicted.push_back({path.velocity,
                              path.spin,
-                             slackOf(least, context),
+                             slackOf(least, context) + room,
                              path.acceleration,
                              path.spinRate,
                              0,

@@ -11,8 +11,10 @@ namespace tamias2d::inline TAMIAS_PRECISION {
 namespace {
 
 // Parts of the width of a body: how far its points may go before its boxes are made anew, and before its
-// manifolds are. Two that went as far as they may are off by no more than their rest gap.
-constexpr real kBoxRoom = real(0.005);
+// manifolds are. Two that went as far as they may are off by no more than their rest gap. What moves on
+// leaves its boxes anyway, but should not leave the way they are for at each touch: found by counting
+// instructions.
+constexpr real kBoxRoom = real(0.005), kMovingRoom = real(0.02);
 real manifoldRoom(const StepContext& context)
 {
     return context.tuning.restGap / 4;
@@ -58,11 +60,12 @@ bool World::Impl::sweepBody(std::size_t row, const StepContext& context, SweepBo
         keeps = next[k].shape == slot && next[k].body == m.body && next[k].moves == moves;
         ++k;
     }
+    motions.rooms[row] = 0;
     if (keeps) return false;
 
-    // What is fast leaves its boxes anyway.
     const real size = width > 0 ? width : shapes.widthOf(body);
-    const real room = travel < kBoxRoom / 2 * size ? kBoxRoom * size : real(0);
+    const real room = (travel < kBoxRoom / 2 * size ? kBoxRoom : kMovingRoom) * size;
+    motions.rooms[row] = room;
     const Trajectory& path = paths.reckon(row, m, true);
     for (const std::uint32_t slot : shapes.of(body)) {
         const Convex& convex = shapes.convex(slot);
@@ -93,6 +96,7 @@ bool World::Impl::sweepBodies(const StepContext& context)
     references.rows.resize(bodies.movers.slots());
     motions.versions.resize(motions.rows.size());
     motions.origins.resize(motions.rows.size());
+    motions.rooms.assign(motions.rows.size(), 0);
 
     // By chunk: how many boxes, then where they begin.
     std::vector<std::uint32_t>& firstOf = chunkStarts;
