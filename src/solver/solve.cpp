@@ -127,8 +127,8 @@ void calm(SolverStage& stage, const StepContext& context)
     std::vector<Motion>& rows = stage.motions.rows;
     const std::vector<CalmPair>& grounded = scratch.calmRows.grounded;
     stage.parallel.forEach(grounded.size(), kBodyGrain, [&](const Chunk& chunk) {
-        scratch.bodies().calm(rows.data(), grounded.data() + chunk.begin, chunk.end - chunk.begin, scratch.rows,
-                            context);
+        scratch.bodies().calm(rows.data(), grounded.data() + chunk.begin, chunk.end - chunk.begin,
+                              scratch.rows, context);
     });
     calmFloating(rows, scratch.rows.changes, stage.islands, scratch.calmRows, context);
 }
@@ -151,7 +151,7 @@ SolverCounts solve(SolverStage& stage, const StepContext& context)
     std::uint32_t groups = 0;
     scratch.suit(rows.size());
     ImpactStage impacts{stage.world,   stage.field,     stage.resting,  stage.asleep,     stage.islands,
-                        stage.motions, stage.contacts,  scratch.passes, scratch.bodies(),   lanes,
+                        stage.motions, stage.contacts,  scratch.passes, scratch.bodies(), lanes,
                         stage.joints,  stage.system,    stage.boxes,    stage.impacts,    scratch.impacts,
                         counts.clamps, counts.repaired, groups,         counts.lawFaults, stage.roused,
                         stage.parallel};
