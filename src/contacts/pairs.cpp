@@ -161,9 +161,7 @@ void matchPairs(const ContactWorld& world, const std::vector<ShapePair>& pairs,
 
 void sortContacts(std::vector<Contact>& contacts, MatchScratch& scratch)
 {
-    const auto before = [](const Contact& a, const Contact& b) {
-        return isBefore(a, {b.shapeA, b.shapeB});
-    };
+    const auto before = [](const Contact& a, const Contact& b) { return isBefore(a, {b.shapeA, b.shapeB}); };
     const auto firstLate = std::is_sorted_until(contacts.begin(), contacts.end(), before);
     scratch.late.clear();
     for (auto c = firstLate; c != contacts.end(); ++c)

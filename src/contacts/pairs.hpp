@@ -34,7 +34,8 @@ struct MatchScratch {
     std::vector<std::uint8_t> allowed;      // by pair: may the two collide?
     std::vector<std::uint8_t> leaves;       // by old contact: does it belong into that list?
     std::vector<std::uint32_t> starts;      // by chunk of pairs: where its contacts begin
-    std::vector<std::pair<ShapePair, std::uint32_t>> late;   // contacts that are out of order, and where they are
+    std::vector<std::pair<ShapePair, std::uint32_t>>
+        late;   // contacts that are out of order, and where they are
 };
 
 /// Brings the contacts in line with the sorted pairs: old ones keep all they carry, new ones start

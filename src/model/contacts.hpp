@@ -61,7 +61,8 @@ struct Contact {
 /// How near the shapes of a contact are: with no points, with some, or touching or under load.
 enum class Nearness : std::uint8_t { Apart, Near, Linked };
 
-/// What a step asks of every contact, side by side: where nothing changes, the table of all else stays closed.
+/// What a step asks of every contact, side by side: where nothing changes, the table of all else stays
+/// closed.
 struct ContactFacts {
     std::uint32_t rowA, rowB;
     std::uint32_t versionA, versionB;
@@ -72,9 +73,9 @@ struct ContactFacts {
 /// All contacts, sorted by (shapeA, shapeB); those found in mid-step stand at the end until the next.
 struct ContactTable {
     std::vector<Contact> rows;
-    std::vector<ContactFacts> facts;    // of the rows, one by one, from the manifolds of a step to the next
-    std::vector<std::uint32_t> order;   // in which they are solved: by color, then by row
-    std::vector<std::uint32_t> colorEnds;   // where each color ends in it; the last one is solved in order
+    std::vector<ContactFacts> facts;  // of the rows, one by one, from the manifolds of a step to the next
+    std::vector<std::uint32_t> order;  // in which they are solved: by color, then by row
+    std::vector<std::uint32_t> colorEnds;  // where each color ends in it; the last one is solved in order
 };
 
 }  // namespace tamias2d::inline TAMIAS_PRECISION

@@ -15,11 +15,11 @@ namespace tamias2d::inline TAMIAS_PRECISION {
 /// beat the one they copy.
 template <class T, int N>
 struct PolygonOnWay {
-    BasicVec2<T> vertices[N], normals[N];   ///< in the body's frame, as those of Convex
-    T last;                                 ///< the number of the last corner: a whole number
+    BasicVec2<T> vertices[N], normals[N];  ///< in the body's frame, as those of Convex
+    T last;  ///< the number of the last corner: a whole number
     BasicPose<T> start, end;
-    T turn;                                 ///< by how much it turns in between, absolute   [rad]
-    T extent;                               ///< [m]
+    T turn;  ///< by how much it turns in between, absolute   [rad]
+    T extent;  ///< [m]
 };
 
 template <class T, int N>
@@ -40,7 +40,7 @@ template <class T>
 struct PolygonPoint {
     BasicVec2<T> localA, localB;
     MaskOf<T> cornerOnA;
-    T feature;              // a whole number
+    T feature;  // a whole number
 };
 
 /// As SweptResult, of pairs that are decided.
@@ -48,7 +48,7 @@ template <class T>
 struct PolygonResult {
     MaskOf<T> decided, near, bends, single;
     T startGap;
-    BasicVec2<T> axis;   // and the gap along it: Apart
+    BasicVec2<T> axis;  // and the gap along it: Apart
     T apart;
     BasicVec2<T> normal;
     PolygonPoint<T> points[2];
@@ -57,7 +57,7 @@ struct PolygonResult {
 // One of N: `index` is a whole number from 0 on.
 template <class T, int N>
 struct Pick {
-    MaskOf<T> over[N - 1];   // is the index greater than that?
+    MaskOf<T> over[N - 1];  // is the index greater than that?
     MaskOf<T> isLast;
 
     Pick(T index, T last) : isLast(index > last - T(real(0.5)))
@@ -142,8 +142,8 @@ struct FaceOfPolygons {
 /// The face at one end of the sweep, with the edge that faces it most squarely.
 template <class T, int N>
 struct ClippedPolygons {
-    BasicVec2<T> n, origin;   // of the face
-    T start, end;             // vertices of the edge: whole numbers
+    BasicVec2<T> n, origin;  // of the face
+    T start, end;  // vertices of the edge: whole numbers
     ClippedEdge<T> clip;
 
     ClippedPolygons(const FaceOfPolygons<T, N>& face, const PolygonOnWay<T, N>& a,
