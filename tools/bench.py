@@ -13,6 +13,7 @@ import signal
 import statistics
 import subprocess
 import sys
+import time
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parent.parent
@@ -29,6 +30,8 @@ def main() -> int:
     parser.add_argument("--list", action="store_true", help="name the scenes")
     parser.add_argument("--peers", action="store_true", help="run the other engines that are built too")
     parser.add_argument("--turns", type=int, default=5, metavar="N", help="of all engines (default 5)")
+    parser.add_argument("--patience", type=float, default=float("inf"), metavar="SECONDS",
+                        help="an engine that takes longer for a scene has no further turn of it")
     parser.add_argument("--steps", type=int, metavar="N", help="a scene, instead of its own number")
     parser.add_argument("--threads", type=int, default=1, metavar="N", help="for engines that have any (default 1)")
     parser.add_argument("--json", type=Path, metavar="FILE", help="write all figures there")
@@ -47,7 +50,8 @@ def main() -> int:
     except (OSError, ValueError, subprocess.CalledProcessError) as error:
         print(f"bench: {error}", file=sys.stderr)
         return 1
-    record = {"machine": machine(), "threads": args.threads, "turns": args.turns, "scenes": results}
+    record = {"machine": machine(), "threads": args.threads, "turns": args.turns, "steps": args.steps,
+              "scenes": results}
     if args.json:
         args.json.write_text(json.dumps(record, indent=1) + "\n")
     if args.page:
@@ -74,13 +78,16 @@ def chosen(wanted: list[str], known: list[dict], parser: argparse.ArgumentParser
 
 def measure(scene: str, engines: list[str], programs: Path, args) -> dict:
     runs = {engine: [] for engine in engines}
-    dead = {}
+    dead, slow = {}, set()
     for _ in range(args.turns):
         for engine in engines:
-            if engine in dead:
+            if engine in dead or engine in slow:
                 continue
+            begun = time.monotonic()
             try:
                 runs[engine].append(run_once(programs / engine, scene, args))
+                if time.monotonic() - begun > args.patience:
+                    slow.add(engine)
             except subprocess.CalledProcessError as error:
                 if engine == OURS:
                     raise
@@ -95,7 +102,7 @@ def measure(scene: str, engines: list[str], programs: Path, args) -> dict:
         ratios = [line["stepMs"] / ours["stepMs"] for line, ours in zip(lines, runs[OURS])]
         middle = min(lines, key=lambda line: abs(line["stepMs"] - statistics.median(times)))
         found[engine] = middle | {"stepMs": statistics.median(times), "ratio": statistics.median(ratios),
-                                  "ratioFrom": min(ratios), "ratioTo": max(ratios)}
+                                  "ratioFrom": min(ratios), "ratioTo": max(ratios), "turns": len(lines)}
         print(row(scene, found[engine]), flush=True)
     return found
 
@@ -138,7 +145,8 @@ HOW_TO_READ = """\
 <!-- Written by tools/bench.py; `./dev bench --peers --page` makes it anew. -->
 # Performance
 
-{machine}, {threads} thread(s), medians of {turns} interleaved turns. Each engine runs the same scene, built
+{machine}, {threads} thread(s), medians of {turns} interleaved turns (fewer where the table says so), {steps}.
+Each engine runs the same scene, built
 with the same numbers, in a program of its own ([apps/bench](../apps/bench)); all take 60 steps a second with
 their defaults. A ratio is their time over ours: above 1, Tamias2D is faster. Overlap, kinetic energy and top
 are measured at the end by one piece of code for all engines.
@@ -148,7 +156,7 @@ are measured at the end by one piece of code for all engines.
 
 
 def page(record: dict) -> str:
-    head = ["Scene", "Engine", "ms a step", "ratio", "from - to", "ns a body", "deepest overlap [m]",
+    head = ["Scene", "Engine", "turns", "ms a step", "ratio", "from - to", "ns a body", "deepest overlap [m]",
             "mean overlap [m]", "energy a body [J]", "fastest [m/s]", "top [m]"]
     lines = ["| " + " | ".join(head) + " |", "|" + " --- |" * len(head)]
     for scene, engines in record["scenes"].items():
@@ -156,12 +164,13 @@ def page(record: dict) -> str:
             if "died" in r:
                 lines.append("| " + " | ".join([scene, r["engine"], r["died"]] + [""] * (len(head) - 3)) + " |")
                 continue
-            cells = [scene, r["engine"], f"{r['stepMs']:.4f}", f"{r['ratio']:.2f}",
+            cells = [scene, r["engine"], str(r["turns"]), f"{r['stepMs']:.4f}", f"{r['ratio']:.2f}",
                      f"{r['ratioFrom']:.2f} - {r['ratioTo']:.2f}", f"{1e6 * r['stepMs'] / max(r['bodies'], 1):.0f}",
                      f"{r['deepest']:.1e}", f"{r['mean']:.1e}", f"{r['kineticEnergyPerBody']:.1e}",
                      f"{r['fastest']:.1e}", f"{r['top']:.2f}"]
             lines.append("| " + " | ".join(cells) + " |")
-    return HOW_TO_READ.format(**record) + "\n" + "\n".join(lines) + "\n\n" + memory_page(record)
+    steps = f"the first {record['steps']} steps of each scene" if record["steps"] else "all steps of each scene"
+    return HOW_TO_READ.format(**record | {"steps": steps}) + "\n" + "\n".join(lines) + "\n\n" + memory_page(record)
 
 
 MEMORY = """\
