@@ -51,7 +51,7 @@ DoubleLane<W> wrapped(DoubleLane<W> angle)
 }
 
 template <int W>
-void drift(const BodyRows& bodies, const StepContext& context, bool kicked)
+void drift(const BodyRows& bodies, const StepContext& context, bool kicked, bool pushed)
 {
     using Wide = Lane<W>;
     using Double = DoubleLane<W>;
@@ -70,15 +70,19 @@ void drift(const BodyRows& bodies, const StepContext& context, bool kicked)
         velocity.w = zero;
         store<W>(velocity, motions, kVelocity, run);
 
-        const FourLanes<W> push = load<W>(rows.pushes.data(), 0, run);
+        FourLanes<W> way{velocity.x + zero, velocity.y + zero, velocity.z + zero, zero};
+        if (pushed) {
+            const FourLanes<W> push = load<W>(rows.pushes.data(), 0, run);
+            way.x = velocity.x + push.x, way.y = velocity.y + push.y, way.z = velocity.z + push.z;
+        }
         FourLanes<W> rotation = load<W>(motions, kRotation, run);
         FourDoubles<W> excess;
         if (any((rotation.z > zero) | (rotation.w > zero)))
             excess = gatherDoubles<W>(run.groups(motions, kExcess));
         FourDoubles<W> place = gatherDoubles<W>(run.groups(motions, kPlace));
-        const Double shiftX = time * toDouble(velocity.x + push.x) + excess.x;
-        const Double shiftY = time * toDouble(velocity.y + push.y) + excess.y;
-        const Double turn = time * toDouble(velocity.z + push.z) + excess.z;
+        const Double shiftX = time * toDouble(way.x) + excess.x;
+        const Double shiftY = time * toDouble(way.y) + excess.y;
+        const Double turn = time * toDouble(way.z) + excess.z;
         place.x += shiftX;
         place.y += shiftY;
         const DoubleMask<W> turned = !isEqual(turn, Double(0.0));

@@ -98,7 +98,7 @@ real startTick(const BodyRows& bodies, const StepContext& context, const TickTim
         const FourLanes<W> outside = load<W>(motions, kAcceleration, run);
         const FourLanes<W> damping = load<W>(motions, kRotation, run);
         store<W>({velocity.x, velocity.y, velocity.z, zero}, rows.velocities.data(), 0, run);
-        store<W>({outside.x, outside.y, zero, zero}, rows.outside.data(), 0, run);
+        store<W>({steady.x, steady.y, outside.x, outside.y}, rows.loads.data(), 0, run);
         const FourLanes<W> flight = flightOf(velocity, steady, outside, masses, damping, context);
         store<W>(flight, rows.expected.data(), 0, run);
         fastest = maximum(flight.w, fastest);

@@ -158,13 +158,12 @@ std::size_t ContactKernels<W>::findApproaching(const Block* blocks, const Source
         const FourLanes<W> vB = gatherRows<W>(rows.velocities.data(), block.rowB);
         const FourLanes<W> eA = gatherRows<W>(rows.expected.data(), block.rowA);
         const FourLanes<W> eB = gatherRows<W>(rows.expected.data(), block.rowB);
-        const FourLanes<W> sA = gatherRows<W>(rows.steady.data(), block.rowA);
-        const FourLanes<W> sB = gatherRows<W>(rows.steady.data(), block.rowB);
-        const FourLanes<W> oA = gatherRows<W>(rows.outside.data(), block.rowA);
-        const FourLanes<W> oB = gatherRows<W>(rows.outside.data(), block.rowB);
+        const FourLanes<W> lA = gatherRows<W>(rows.loads.data(), block.rowA);
+        const FourLanes<W> lB = gatherRows<W>(rows.loads.data(), block.rowB);
         const auto along = [n](const FourLanes<W>& row) { return n.x * row.x + n.y * row.y; };
+        const auto outsideAlong = [n](const FourLanes<W>& row) { return n.x * row.z + n.y * row.w; };
         const Wide steadyForces =
-            h * absolute(along(oB) - along(oA)) + absolute(along(sA)) + absolute(along(sB));
+            h * absolute(outsideAlong(lB) - outsideAlong(lA)) + absolute(along(lA)) + absolute(along(lB));
         const Wide threshold = maximum(factor * steadyForces, source.slowest);
         const Wide reach = eA.w + eB.w, most = Wide(real(2e-5)) * reach - threshold;
         const Wide speed = along(vB) - along(vA), push = along(eB) - along(eA);

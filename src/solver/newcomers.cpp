@@ -30,7 +30,7 @@ void enter(ImpactStage& stage, std::uint32_t body, const StepContext& context)
     lanes.poses.push_back(poseRow(rows.back(), rows.back().center));
     lanes.velocities.push_back(laneRow(velocityOf(rows.back())));
     for (std::vector<LaneRow>* each :
-         {&lanes.steady, &lanes.expected, &lanes.outside, &lanes.pushes, &lanes.spans})
+         {&lanes.steady, &lanes.expected, &lanes.loads, &lanes.pushes, &lanes.spans})
         each->resize(rows.size());
 }
 

@@ -106,7 +106,7 @@ void passOver(SolverStage& stage, const JointWorld& world)
 
 // From the passes to the end of the tick: together, unless forces or joints depend on where all bodies are in
 // between. Returns how many bodies were too fast.
-std::uint32_t driftAll(SolverStage& stage, const StepContext& context, bool together)
+std::uint32_t driftAll(SolverStage& stage, const StepContext& context, bool pushed, bool together)
 {
     SolverScratch& scratch = stage.scratch;
     std::vector<Motion>& rows = stage.motions.rows;
@@ -114,7 +114,7 @@ std::uint32_t driftAll(SolverStage& stage, const StepContext& context, bool toge
     std::atomic<std::uint32_t> clamped = 0;
     stage.parallel.forEach(rows.size(), kBodyGrain, [&](const Chunk& chunk) {
         const BodyRows run = bodiesOf(chunk, rows, scratch.rows);
-        scratch.bodies().drift(run, context, kicked);
+        scratch.bodies().drift(run, context, kicked, pushed);
         if (together) clamped += scratch.bodies().kickAfterDrift(run, context, kicked);
     });
     return clamped;
@@ -170,7 +170,7 @@ SolverCounts solve(SolverStage& stage, const StepContext& context)
     findCalmRows(stage.islands, scratch.calmRows);
     lanes.velocities.resize(rows.size());
     lanes.expected.resize(rows.size());
-    lanes.outside.resize(rows.size());
+    lanes.loads.resize(rows.size());
     lanes.pushes.resize(rows.size());
     lanes.ways.assign(rows.size(), {});
     lanes.kicks.assign(rows.size(), {});
@@ -214,12 +214,12 @@ SolverCounts solve(SolverStage& stage, const StepContext& context)
             storeJointed(stage, lanes);
             tallyJoints(stage.joints, stage.system, rows);
         }
-        if (tick <= 1) lanes.pushes.assign(rows.size(), {});
+        if (tick == 0) lanes.pushes.assign(rows.size(), {});
         if (tick == 0) scratch.passes.pushApart(stage.contacts, stage.motions, lanes, context, counts.clamps);
 
         span.next("drift");
         const bool together = !varies && !hasJoints;
-        counts.clamps.speed += driftAll(stage, context, together);
+        counts.clamps.speed += driftAll(stage, context, tick == 0, together);
         if (hasJoints) turnJoints(stage, lanes.changes, context);
         if (varies)
             counts.lawFaults += accelerateAfterDrift(stage, context, time + context.dt / context.ticks);

@@ -58,7 +58,7 @@ struct TickRows {
     std::vector<LaneRow> velocities;  // of the center [m/s], spin [rad/s]
     std::vector<LaneRow> steady;  // Motion::steady [m/s], steadySpin [rad/s]; w is 1 where a load is
     std::vector<LaneRow> expected;  // accelerations of a flight [m/s^2], [rad/s^2]; w: see fastestPoint
-    std::vector<LaneRow> outside;  // Motion::acceleration [m/s^2]; z, w mean nothing
+    std::vector<LaneRow> loads;  // Motion::steady [m/s], Motion::acceleration [m/s^2], as the tick begins
     std::vector<LaneRow> pushes;  // displacements, as velocities over a tick [m/s], [rad/s]
     std::vector<TickChange> changes;
     std::vector<ImpactKick> kicks;
