@@ -99,21 +99,25 @@ bool isLeftToImpacts(const Contact& contact, const ContactPointRow& point, real 
            point.gap > -contact.restGap / 2 && normalSpeed < -threshold;
 }
 
-// Has an impact in this tick settled the contact? At its time it has; seen from the start of the tick
-// there remains what the bodies turn in between, and that is no approach.
-bool isSettledByImpact(const Contact& contact, const Motion& a, const Motion& b, const StepContext& context)
+// May an impact in this tick have settled the contact?
+bool isAfterImpact(const Contact& contact, const ContactPointRow& point, const StepContext& context)
 {
     if (contact.impacts == 0 || contact.impacts >= mostImpacts(contact, context)) return false;
+    return !point.wasLoaded && point.gap > -contact.restGap / 2;
+}
+
+// Has it? At its time it has; seen from the start of the tick there remains what the bodies turn in between,
+// and that is no approach.
+bool isSettledByImpact(const Contact& contact, const Motion& a, const Motion& b, const StepContext& context)
+{
     for (int i = 0; i < contact.count; ++i) {
         const ContactPointRow& point = contact.points[i];
-        if (point.wasLoaded || point.gap <= -contact.restGap / 2) return false;
-        const Vec2 v = relativeVelocity(point, a, b);
-        const real turn = context.h * (absolute(a.spin) + absolute(b.spin));
-        const real rim = absolute(a.spin) * length(point.armA) + absolute(b.spin) * length(point.armB);
-        if (dot(contact.normal, v) + allowedApproach(point, context) < -turn * (length(v) + rim))
+        if (!isAfterImpact(contact, point, context)) return false;
+        if (dot(contact.normal, relativeVelocity(point, a, b)) + allowedApproach(point, context) <
+            -slackOfImpact(contact, point, a, b, context))
             return false;
     }
-    return true;
+    return contact.impacts > 0;
 }
 
 // A point alone, unless its approach is left to impacts.
@@ -152,6 +156,23 @@ void solveRolling(Contact& contact, Motion& a, Motion& b)
 }
 
 }  // namespace
+
+real slackOfImpact(const Contact& contact, const ContactPointRow& point, const Motion& a, const Motion& b,
+                   const StepContext& context)
+{
+    if (!isAfterImpact(contact, point, context)) return 0;
+    const real turn = context.h * (absolute(a.spin) + absolute(b.spin));
+    const real rim = absolute(a.spin) * length(point.armA) + absolute(b.spin) * length(point.armB);
+    return turn * (length(relativeVelocity(point, a, b)) + rim);
+}
+
+bool isLeftToImpacts(const Contact& contact, int point, const Motion& a, const Motion& b,
+                     const StepContext& context)
+{
+    const ContactPointRow& p = contact.points[point];
+    const real closing = dot(contact.normal, relativeVelocity(p, a, b));
+    return isLeftToImpacts(contact, p, closing, impactThreshold(contact, a, b, context), context);
+}
 
 ContactRow<real> rowOf(const Contact& contact, const Motion& a, const Motion& b, const StepContext& context)
 {
@@ -225,8 +246,6 @@ void limitSteady(Motion& m, const StepContext& context)
     m.steadySpin = limitedChange(m.steadySpin, context.mostSteadySpin);
 }
 
-namespace {
-
 // It aims short of the rest gap, by pushSlack of it, so that a corner at rest does not flicker between pushed
 // and not.
 real pushBiasOf(real gap, real restGap, const StepContext& context, ClampCounts& clamps)
@@ -235,8 +254,6 @@ real pushBiasOf(real gap, real restGap, const StepContext& context, ClampCounts&
     if (off <= 0 && context.tuning.pushRate * off * context.invH < -most) ++clamps.push;
     return pushBias(off, context.invH, context.tuning.pushRate, most);
 }
-
-}  // namespace
 
 void pushContact(Contact& contact, const Motion& a, const Motion& b, BodyMotion<real>& pushA,
                  BodyMotion<real>& pushB, const StepContext& context, ClampCounts& clamps)

@@ -46,12 +46,23 @@ real impactThreshold(const Contact& contact, const Motion& a, const Motion& b, c
 /// end, ever slower: the passes take it after a fourth of Tuning::impactsPerContact [ADR21].
 int mostImpacts(const Contact& contact, const StepContext& context);
 
+/// Is an approach at the point left to the next impact, at these velocities?
+bool isLeftToImpacts(const Contact& contact, int point, const Motion& a, const Motion& b,
+                     const StepContext& context);
+/// After an impact in this tick: how fast its points may still close [m/s], which is but what the bodies turn
+/// meanwhile; 0 if the passes have to stop them.
+real slackOfImpact(const Contact& contact, const ContactPointRow& point, const Motion& a, const Motion& b,
+                   const StepContext& context);
+
 /// One pass over a contact: normal impulses, then friction on the slip they leave, then rolling
 /// resistance. Returns the greatest change of normal speed it made.   [m/s]
 real solveContact(Contact& contact, Motion& a, Motion& b, const StepContext& context);
 
 /// The contact as the passes take it, from what prepareContact left.
 ContactRow<real> rowOf(const Contact& contact, const Motion& a, const Motion& b, const StepContext& context);
+
+/// What pushing asks of a point.   [m/s]
+real pushBiasOf(real gap, real restGap, const StepContext& context, ClampCounts& clamps);
 
 /// One pass of pushing over a contact: displacements that undo overlaps, as velocities over one tick. They
 /// move bodies and leave velocities alone.

@@ -12,13 +12,19 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 
 namespace tamias2d::inline TAMIAS_PRECISION {
 namespace {
 
-constexpr double kRigid = 1e-7, kRope = 1e-6, kBounded = 1e-2;  // gamma over the effective mass inverted
+// gamma over the effective mass inverted
+constexpr double kRigid = 1e-7, kRope = 1e-6, kBounded = 1e-2, kTouch = 1e-6, kRub = 1e-6;
 constexpr int kMostSteps = 40;  // of Newton's method, for one set of impulses before
+constexpr int kMostOfAll = 60;  // of them, where there are contacts: then those do not get harder
+constexpr double kSame = 1e-4;  // times what is negligible: a step of Newton's method that is none
+constexpr double kLoosest = 1e4;  // times the gammas of contacts, at first
 constexpr int kMostTrials = 20;  // of the length of a step
+constexpr double kEven = 1e-6, kEvenEnough = 1e-1;  // of the descent at its start, there; with contacts
 constexpr double kTurned = 1e-9;  // of a speed: what may be left where a force turns under its bound
 constexpr double kLeft = 1e-5;  // of the speeds: where rows that bear next to nothing go from bound to bound
 constexpr double kRough = 1e-4;  // the same on the way to a harder rope
@@ -32,14 +38,20 @@ struct Answer {
     double at = 0, slope = 0;
 };
 
-Answer answerOf(const ConstraintRow& row, const RowVisit& visit, double before, double ropes)
+double gammaOf(const ConstraintRow& row, double ropes, double looseness)
+{
+    if (row.touches) return looseness * kTouch;
+    if (row.pressedBy != 0) return looseness * kRub;
+    if (row.kind == RowKind::Rigid) return kRigid;
+    return row.bears ? ropes : kBounded;
+}
+
+Answer answerOf(const ConstraintRow& row, const RowVisit& visit, double before, double ropes,
+                double looseness)
 {
     if (row.kind == RowKind::Spring)
         return {-static_cast<double>(visit.push), static_cast<double>(visit.give)};
-    const double gamma = (row.kind == RowKind::Rigid ? kRigid
-                          : row.bears                ? ropes
-                                                     : kBounded) *
-                         static_cast<double>(row.mass);
+    const double gamma = gammaOf(row, ropes, looseness) * static_cast<double>(row.mass);
     if (!(gamma > 0)) return {};
     return {before - static_cast<double>(visit.bias) / gamma, 1 / gamma};
 }
@@ -59,7 +71,18 @@ private:
     std::vector<JointRows>& all_;
     const std::vector<Motion>& motions_;
 
-    JointRows& joint(std::size_t j) { return all_[group_.joints[j]]; }
+    // The joints, then the contacts.
+    std::size_t count() const { return group_.joints.size() + group_.contacts.size(); }
+    const JointRows& joint(std::size_t j) const
+    {
+        const std::size_t joints = group_.joints.size();
+        return j < joints ? all_[group_.joints[j]] : group_.contacts[j - joints];
+    }
+    JointRows& joint(std::size_t j)
+    {
+        const std::size_t joints = group_.joints.size();
+        return j < joints ? all_[group_.joints[j]] : group_.contacts[j - joints];
+    }
     double& impulse(std::size_t j, int i)
     {
         return group_.impulses[j * JointRows::kMost + static_cast<std::size_t>(i)];
@@ -78,6 +101,7 @@ private:
         return group_.moreNodes[group_.moreFrom[j] + static_cast<std::size_t>(k)];
     }
     double wantedBy(std::size_t j, int i) const;
+    void boundFrictions();
     bool answer();
     void answerPair(std::size_t j, int second, const double (&wanted)[JointRows::kMost]);
     bool factor();
@@ -88,15 +112,20 @@ private:
     double descent();
     void shorten();
     bool hasRopes();
+    bool solveContacts();
+    double violation();
     bool soften(const std::vector<BodyMotion<real>>& velocities);
     bool repeat(int times);
     bool converge();
+    double enough(double left) const;
     void addRow(const Jacobian& jacobian, int nodeA, int nodeB, double weight);
 
     void takeBack();
 
     bool guarded_ = false;  // does a tie at a distance resist turning?
     double ropeGamma_ = kRope;  // over the effective mass inverted, of limits that bear loads
+    double looseness_ = 1;  // times the gammas of contacts
+    int steps_ = 0;  // of Newton's method, in all
     bool turns_ = false;  // is there a force of two rows at its bound?
 };
 
@@ -137,13 +166,32 @@ void DirectSolver::load(const std::vector<BodyMotion<real>>& velocities)
     guarded_ = std::any_of(group_.joints.begin(), group_.joints.end(),
                            [&](std::uint32_t j) { return all_[j].turnMass > 0; });
     if (guarded_) takeBack();
-    group_.states.assign(group_.joints.size(), 0xffff);
+    group_.states.assign(count(), 0xffff);
     group_.factored.clear();
-    group_.impulses.assign(group_.joints.size() * JointRows::kMost, 0);
-    for (std::size_t j = 0; j < group_.joints.size(); ++j)
+    group_.impulses.assign(count() * JointRows::kMost, 0);
+    for (std::size_t j = 0; j < count(); ++j)
         for (int i = 0; i < joint(j).count; ++i)
             impulse(j, i) = static_cast<double>(joint(j).visits[i].impulse);
     group_.before = group_.impulses;
+    boundFrictions();
+}
+
+// What presses bounds what rubs: for one set of impulses before, by those.
+void DirectSolver::boundFrictions()
+{
+    const std::size_t joints = group_.joints.size();
+    for (std::size_t j = joints; j < count(); ++j) {
+        JointRows& rows = joint(j);
+        for (int i = 0; i < rows.count; ++i) {
+            if (rows.rows[i].pressedBy == 0) continue;
+            double load = 0;
+            for (int k = 0; k < rows.count; ++k)
+                if ((rows.rows[i].pressedBy >> k & 1) != 0)
+                    load += group_.before[j * JointRows::kMost + static_cast<std::size_t>(k)];
+            rows.visits[i].high = rows.rows[i].most * static_cast<real>(load);
+            rows.visits[i].low = -rows.visits[i].high;
+        }
+    }
 }
 
 // The velocities without what the group itself has changed in this half of the tick.
@@ -152,7 +200,7 @@ void DirectSolver::takeBack()
     std::vector<double>& given = group_.given;
     if (group_.begins) {  // what was carried
         given.assign(group_.start.size(), 0);
-        for (std::size_t j = 0; j < group_.joints.size(); ++j)
+        for (std::size_t j = 0; j < count(); ++j)
             for (int i = 0; i < joint(j).count; ++i)
                 addAlongRow(j, i, static_cast<double>(joint(j).visits[i].impulse), given);
         for (std::size_t n = 0; n < group_.rows.size(); ++n) {
@@ -168,7 +216,7 @@ void DirectSolver::takeBack()
 TAMIAS_INLINE void DirectSolver::addAlong(std::size_t j, const Jacobian& direction, double amount,
                                           std::vector<double>& out) const
 {
-    const JointRows& rows = all_[group_.joints[j]];
+    const JointRows& rows = joint(j);
     const auto [nodeA, nodeB] = group_.nodes[j];
     double onA[3], onB[3];
     fillJacobian(direction, motions_[rows.rowA], motions_[rows.rowB], onA, onB);
@@ -189,7 +237,7 @@ double DirectSolver::speed(std::size_t j, const Jacobian& direction) const
         const double* v = &group_.velocity[3 * static_cast<std::size_t>(node)];
         return static_cast<double>(linear.x) * v[0] + static_cast<double>(linear.y) * v[1] + spin * v[2];
     };
-    const JointRows& rows = all_[group_.joints[j]];
+    const JointRows& rows = joint(j);
     const auto [a, b] = group_.nodes[j];
     return part(a, rows.rowA, direction.linearA, direction.turnA) +
            part(b, rows.rowB, direction.linearB, direction.turnB);
@@ -199,14 +247,14 @@ double DirectSolver::speed(std::size_t j, const Jacobian& direction) const
 TAMIAS_INLINE void DirectSolver::addAlongRow(std::size_t j, int i, double amount,
                                              std::vector<double>& out) const
 {
-    const JointRows& rows = all_[group_.joints[j]];
+    const JointRows& rows = joint(j);
     addAlong(j, rows.rows[i].j, amount, out);
     if (rows.more) addAlongMore(j, i, amount, out);
 }
 
 void DirectSolver::addAlongMore(std::size_t j, int i, double amount, std::vector<double>& out) const
 {
-    const MoreBodies& more = *all_[group_.joints[j]].more;
+    const MoreBodies& more = *joint(j).more;
     for (int k = 0; k < more.count; ++k) {
         const int node = moreNode(j, k);
         if (node < 0) continue;
@@ -218,14 +266,14 @@ void DirectSolver::addAlongMore(std::size_t j, int i, double amount, std::vector
 
 TAMIAS_INLINE double DirectSolver::speedOf(std::size_t j, int i) const
 {
-    const JointRows& rows = all_[group_.joints[j]];
+    const JointRows& rows = joint(j);
     const double pair = speed(j, rows.rows[i].j);
     return rows.more ? pair + speedOfMore(j, i) : pair;
 }
 
 double DirectSolver::speedOfMore(std::size_t j, int i) const
 {
-    const MoreBodies& more = *all_[group_.joints[j]].more;
+    const MoreBodies& more = *joint(j).more;
     double sum = 0;
     for (int k = 0; k < more.count; ++k) {
         const ConstraintRows::Part& part = more.parts[i][k];
@@ -244,9 +292,9 @@ double DirectSolver::speedOfMore(std::size_t j, int i) const
 // The impulse that a row answers to the velocity at hand, were it not for its bounds.
 TAMIAS_INLINE double DirectSolver::wantedBy(std::size_t j, int i) const
 {
-    const JointRows& rows = all_[group_.joints[j]];
+    const JointRows& rows = joint(j);
     const double before = group_.before[j * JointRows::kMost + static_cast<std::size_t>(i)];
-    const Answer a = answerOf(rows.rows[i], rows.visits[i], before, ropeGamma_);
+    const Answer a = answerOf(rows.rows[i], rows.visits[i], before, ropeGamma_, looseness_);
     return a.at - a.slope * speedOf(j, i);
 }
 
@@ -256,7 +304,7 @@ bool DirectSolver::answer()
 {
     bool same = true;
     turns_ = false;
-    for (std::size_t j = 0; j < group_.joints.size(); ++j) {
+    for (std::size_t j = 0; j < count(); ++j) {
         JointRows& rows = joint(j);
         double wanted[JointRows::kMost];
         std::uint16_t states = 0;
@@ -349,7 +397,7 @@ bool DirectSolver::factor()
         fillMasses(motions_[group_.rows[n]], mass);
         for (int i = 0; i < 3; ++i) group_.matrix.diagonal(static_cast<int>(n)).a[4 * i] = mass[i];
     }
-    for (std::size_t j = 0; j < group_.joints.size(); ++j) addRows(j);
+    for (std::size_t j = 0; j < count(); ++j) addRows(j);
     group_.factored = group_.states;
     return group_.matrix.factor();
 }
@@ -364,7 +412,7 @@ void DirectSolver::addRows(std::size_t j)
         const unsigned state = group_.states[j] >> 2 * i & 3u;
         if (state == Together && rows.rows[i].pairBound) addPair(j, i);
         if (state != Free) continue;
-        const double slope = answerOf(rows.rows[i], rows.visits[i], 0, ropeGamma_).slope;
+        const double slope = answerOf(rows.rows[i], rows.visits[i], 0, ropeGamma_, looseness_).slope;
         if (!(slope > 0)) continue;
         addRow(rows.rows[i].j, group_.nodes[j].first, group_.nodes[j].second, slope);
         if (rows.more) addMore(j, i, slope);
@@ -380,7 +428,7 @@ void DirectSolver::addPair(std::size_t j, int second)
     const double strength = length(force);
     if (!(strength > 0)) return;
     const double part = strength / length(DVec2{wantedBy(j, second - 1), wantedBy(j, second)});
-    const double slope = answerOf(y, rows.visits[second], 0, ropeGamma_).slope * part;
+    const double slope = answerOf(y, rows.visits[second], 0, ropeGamma_, looseness_).slope * part;
     const auto alongX = static_cast<real>(-force.y / strength),
                alongY = static_cast<real>(force.x / strength);
     const Jacobian across{alongX * x.j.linearA + alongY * y.j.linearA,
@@ -399,7 +447,7 @@ void DirectSolver::residual(std::vector<double>& out)
         for (std::size_t i = 0; i < 3; ++i)
             out[3 * n + i] = mass[i] * (group_.start[3 * n + i] - group_.velocity[3 * n + i]);
     }
-    for (std::size_t j = 0; j < group_.joints.size(); ++j) {
+    for (std::size_t j = 0; j < count(); ++j) {
         const JointRows& rows = joint(j);
         for (int i = 0; i < rows.count; ++i) {
             const double before = guarded_ ? 0 : static_cast<double>(rows.visits[i].impulse);
@@ -433,7 +481,7 @@ void DirectSolver::shorten()
     move(-1);
     answer();
     double begin = descent(), low = 0, high = 1, at = 0;
-    const double enough = 1e-6 * begin;
+    const double enough = (group_.contacts.empty() ? kEven : kEvenEnough) * begin;
     int side = 0;
     for (int trial = 0; trial < kMostTrials && begin > end; ++trial) {
         const double next = low + (high - low) * begin / (begin - end);
@@ -468,6 +516,7 @@ bool DirectSolver::converge()
     answer();
     const double left = ropeGamma_ > kRope ? kRough : kLeft;
     for (int step = 0; step < kMostSteps; ++step) {
+        ++steps_;
         if (!factor()) return false;
         residual(group_.step);
         group_.matrix.solve(group_.step);
@@ -475,23 +524,71 @@ bool DirectSolver::converge()
         if (answer() && !turns_) return true;
         const double most = greatest(group_.step);
         shorten();
-        if (most <= (turns_ ? kTurned : left * greatest(group_.velocity))) return true;
+        if (most <= enough(left)) return true;
     }
     return false;
+}
+
+// A change of speeds that ends Newton's method.
+double DirectSolver::enough(double left) const
+{
+    if (!group_.contacts.empty()) return kSame * looseness_ * group_.negligible;
+    return turns_ ? kTurned : left * greatest(group_.velocity);
 }
 
 bool DirectSolver::solve(const std::vector<BodyMotion<real>>& velocities)
 {
     load(velocities);
     ropeGamma_ = kRope;
-    const bool solved = repeat(kRepeats) || (hasRopes() && soften(velocities));
+    const bool solved =
+        group_.contacts.empty() ? repeat(kRepeats) || (hasRopes() && soften(velocities)) : solveContacts();
     return solved && std::all_of(group_.velocity.begin(), group_.velocity.end(),
                                  [](double v) { return std::isfinite(v); });
 }
 
+// Where many contacts open and close, they give way at first, and then less and less, until that changes
+// nothing more: so each begins near its answer. The hardest that was found counts.
+bool DirectSolver::solveContacts()
+{
+    bool found = false;
+    steps_ = 0;
+    for (looseness_ = kLoosest; looseness_ > 0.5 && steps_ < kMostOfAll; looseness_ /= 10) {
+        group_.kept = group_.velocity;
+        group_.factored.clear();  // they were of other gammas
+        if (!converge()) {
+            group_.velocity = group_.kept;
+            group_.impulses = group_.before;
+            break;
+        }
+        found = true;
+        const double left = violation();
+        group_.before = group_.impulses;
+        boundFrictions();
+        if (left <= group_.negligible) break;
+    }
+    return found;
+}
+
+// How fast what should not move does, at most: that is what changes impulses.
+double DirectSolver::violation()
+{
+    double most = 0;
+    for (std::size_t j = group_.joints.size(); j < count(); ++j) {
+        const JointRows& rows = joint(j);
+        for (int i = 0; i < rows.count; ++i) {
+            const double change =
+                impulse(j, i) - group_.before[j * JointRows::kMost + static_cast<std::size_t>(i)];
+            const double gamma =
+                gammaOf(rows.rows[i], ropeGamma_, looseness_) * static_cast<double>(rows.rows[i].mass);
+            most = maximum(most, gamma * absolute(change));
+        }
+    }
+    return most;
+}
+
 bool DirectSolver::hasRopes()
 {
-    for (std::size_t j = 0; j < group_.joints.size(); ++j)
+    for (std::size_t j = 0; j < count(); ++j)
         for (int i = 0; i < joint(j).count; ++i)
             if (joint(j).rows[i].bears) return true;
     return false;
@@ -520,6 +617,7 @@ bool DirectSolver::repeat(int times)
     for (int i = 0; i < times; ++i) {
         if (!converge()) return false;
         group_.before = group_.impulses;
+        boundFrictions();
     }
     return true;
 }
@@ -531,7 +629,7 @@ void DirectSolver::store(std::vector<BodyMotion<real>>& velocities, real& change
             group_.given[i] = group_.velocity[i] - group_.start[i];
     group_.begins = false;
     // What the impulses make of the velocities, as those that are kept are the impulses.
-    for (std::size_t j = 0; j < group_.joints.size(); ++j)
+    for (std::size_t j = 0; j < count(); ++j)
         for (int i = 0; i < joint(j).count; ++i)
             joint(j).visits[i].impulse = static_cast<real>(impulse(j, i));
     for (std::size_t n = 0; n < group_.rows.size(); ++n) {
@@ -551,10 +649,13 @@ void DirectSolver::store(std::vector<BodyMotion<real>>& velocities, real& change
 void DirectGroup::build(const std::vector<JointRows>& all, const std::vector<Motion>& motions)
 {
     rows.clear();
-    for (const std::uint32_t j : joints)
-        all[j].eachRow([&](std::uint32_t row) {
+    const auto addRowsOf = [&](const JointRows& tie) {
+        tie.eachRow([&](std::uint32_t row) {
             if (motions[row].moves()) rows.push_back(row);
         });
+    };
+    for (const std::uint32_t j : joints) addRowsOf(all[j]);
+    for (const JointRows& contact : contacts) addRowsOf(contact);
     std::sort(rows.begin(), rows.end());
     rows.erase(std::unique(rows.begin(), rows.end()), rows.end());
     const auto nodeOf = [&](std::uint32_t row) {
@@ -568,18 +669,20 @@ void DirectGroup::build(const std::vector<JointRows>& all, const std::vector<Mot
     const auto tie = [&](int a, int b) {
         if (a >= 0 && b >= 0 && a != b) edges.emplace_back(a, b);
     };
-    for (const std::uint32_t j : joints) {
-        nodes.emplace_back(nodeOf(all[j].rowA), nodeOf(all[j].rowB));
+    const auto addNodesOf = [&](const JointRows& of) {
+        nodes.emplace_back(nodeOf(of.rowA), nodeOf(of.rowB));
         tie(nodes.back().first, nodes.back().second);
         moreFrom.push_back(moreNodes.size());
-        for (int k = 0; all[j].more && k < all[j].more->count; ++k) {
-            const int node = nodeOf(all[j].more->rows[k]);
+        for (int k = 0; of.more && k < of.more->count; ++k) {
+            const int node = nodeOf(of.more->rows[k]);
             tie(nodes.back().first, node);
             tie(nodes.back().second, node);
             for (std::size_t m = moreFrom.back(); m < moreNodes.size(); ++m) tie(moreNodes[m], node);
             moreNodes.push_back(node);
         }
-    }
+    };
+    for (const std::uint32_t j : joints) addNodesOf(all[j]);
+    for (const JointRows& contact : contacts) addNodesOf(contact);
     const int count = static_cast<int>(rows.size());
     if (count == analyzedNodes && edges == analyzed) return;
     matrix.analyze(count, edges);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Groups of joints solved at once, exactly: docs/theory/joints.md, section 7.
+// Groups of joints, and contacts, solved at once, exactly: docs/theory/joints.md, section 7.
 #pragma once
 
 #include "joints/block_ldl.hpp"
@@ -14,9 +14,11 @@ namespace tamias2d::inline TAMIAS_PRECISION {
 struct DirectGroup {
     std::vector<std::uint32_t> rows;      // of its bodies in the MotionTable, in order: the nodes
     std::vector<std::uint32_t> joints;    // places among the JointRows
-    std::vector<BlockLdl::Edge> nodes;    // by joint: of its bodies; -1 for one that nothing moves
-    std::vector<int> moreNodes;           // of those beyond two, likewise, joint by joint
-    std::vector<std::size_t> moreFrom;    // by joint: where its own begin there
+    std::vector<JointRows> contacts;      // as rows of the tick at hand; none in most groups
+    std::vector<BlockLdl::Edge> nodes;  // by joint, then by contact: of its bodies; -1 for one nothing moves
+    double negligible = 0;  // of contacts: how fast they may close   [m/s]
+    std::vector<int> moreNodes;  // of those beyond two, likewise, joint by joint
+    std::vector<std::size_t> moreFrom;  // by joint: where its own begin there
     BlockLdl matrix;
 
     // Of the half of a tick at hand, where ties at a distance resist turning: what the group has changed.

@@ -33,12 +33,15 @@ struct ConstraintRow {
     std::uint8_t slot = 0;       // its place among the joint's impulses
     bool angular = false;        // J v is a speed of turning
     bool bears = false;          // a limit that bears loads as rigid rows do: the end of a rope
+    bool touches = false;        // a limit that is the normal of a contact
+    std::uint8_t pressedBy =
+        0;  // of its friction, as bits: rows that bound it by `most` times their impulses
     bool pairBound = false;      // it and the row before it are bounded together, as a vector
     Jacobian j;
     real error = 0;              // C   [m] or [rad]
     real stiffness = 0, damping = 0;   // of a spring    [N/m], [N*s/m] or [N*m/rad], [N*m*s/rad]
     real speed = 0;              // of a motor           [m/s] or [rad/s]
-    real most = kUnlimited;      // of a motor or spring   [N] or [N*m]
+    real most = kUnlimited;      // of a motor or spring   [N] or [N*m]; of friction, its coefficient
     real mass = 0;               // J M^-1 J^T             [1/kg] or [1/(kg*m^2)]
 };
 

@@ -75,27 +75,17 @@ void groupBodies(const MotionTable& motions, JointSystem& system)
 
 // --- which groups are solved at once: docs/theory/joints.md, section 7
 
-constexpr double kHeavy = 30;         // ratio of masses at which a joint is stiff
 constexpr real kGive = real(1e-3);    // of the arms: what a soft joint may give way
 constexpr int kHold = 30;             // steps for which a group stays so
 constexpr std::size_t kFew = 4;       // bodies of which solving at once costs no more
 constexpr std::size_t kMany = 300;    // bodies from which it costs too much
 constexpr std::size_t kFill = 4;      // blocks for each body, likewise
 
-bool isHeavy(const Motion& a, const Motion& b)
-{
-    const auto inverse = [](const Motion& m) {
-        return static_cast<double>(maximum(m.invMass.x, m.invMass.y));
-    };
-    const double p = inverse(a), q = inverse(b);
-    return p > 0 && q > 0 && (p > kHeavy * q || q > kHeavy * p);
-}
-
 bool isUneven(const JointRows& joint, const std::vector<Motion>& motions)
 {
-    if (!joint.more) return isHeavy(motions[joint.rowA], motions[joint.rowB]);
+    if (!joint.more) return areUneven(motions[joint.rowA], motions[joint.rowB], kUnevenTies);
     return joint.anyRow([&](std::uint32_t a) {
-        return joint.anyRow([&](std::uint32_t b) { return isHeavy(motions[a], motions[b]); });
+        return joint.anyRow([&](std::uint32_t b) { return areUneven(motions[a], motions[b], kUnevenTies); });
     });
 }
 
@@ -114,6 +104,7 @@ void chooseStiff(JointTable& table, const std::vector<Motion>& motions, JointSys
     bodies.assign(groups, 0);
     system.stiffGroups.assign(groups, 0);
     system.unevenGroups.assign(groups, 0);
+    system.piledGroups.assign(groups, 0);
     for (const std::uint32_t group : system.groupOf)
         if (group != JointSystem::kNone) ++bodies[group];
     for (const JointRows& rows : system.joints) {
@@ -231,6 +222,15 @@ std::uint32_t JointSystem::countFaults() const
     std::uint32_t sum = ownFaults;
     for (const JointRows& joint : joints) sum += joint.faults;
     return sum;
+}
+
+bool areUneven(const Motion& a, const Motion& b, double ratio)
+{
+    const auto inverse = [](const Motion& m) {
+        return static_cast<double>(maximum(m.invMass.x, m.invMass.y));
+    };
+    const double p = inverse(a), q = inverse(b);
+    return p > 0 && q > 0 && (p > ratio * q || q > ratio * p);
 }
 
 void soften(JointSystem& system, std::size_t direct)

@@ -18,6 +18,7 @@ struct JointSystem {
     std::vector<std::uint32_t> groupOf;      // by row: of the bodies that joints tie together; or kNone
     std::vector<std::uint8_t> stiffGroups;   // by group: solved at once
     std::vector<std::uint8_t> unevenGroups;  // by group: of masses that soft rows cannot be trusted with
+    std::vector<std::uint8_t> piledGroups;   // by group: solved at once before the drift, with contacts
     std::vector<DirectGroup> direct;         // the first `directCount` of them are those
     std::size_t directCount = 0;
     std::vector<std::uint8_t> lostGroups;    // by group: did not find where it goes in this tick
@@ -42,6 +43,13 @@ struct JointSystem {
     /// Do joints alone change the velocity of the body in the two halves of this tick?
     bool isHalved(std::size_t row) const { return groupOf[row] != kNone && !wholeGroups[groupOf[row]]; }
 };
+
+/// Masses so far apart that visits one by one do not settle what ties two bodies: one is so many times the
+/// other.
+inline constexpr double kUnevenTies = 30;
+
+/// Can both be pushed, and is the mass of one more than `ratio` times that of the other?
+bool areUneven(const Motion& a, const Motion& b, double ratio);
 
 /// Which joints act, on what rows, and which bodies they tie together; measured at the present poses.
 void gatherJoints(JointTable& table, const BodyTable& bodies, const MotionTable& motions,

@@ -54,6 +54,8 @@ struct Contact {
     std::uint32_t versionA = 0, versionB = 0;   // of the poses of its bodies that the manifold is for
     bool touching = false;       // at the end of the last step
     bool crowded = false;        // between bodies of at least Tuning::crowd that meet
+    std::int8_t stiffSteps =
+        0;  // its pile is solved at once for so long; < 0: is not. solver/stiff_piles.hpp
     int impacts = 0;             // in this tick
     real fastestImpact = 0;      // approach of the fastest of them   [m/s]
 };

@@ -28,6 +28,10 @@ public:
     void load(std::uint32_t contact, const Contact& row, const MotionTable& motions,
               const TickRows& rows) override;
     LaneView view(std::uint32_t contact) const override;
+    void leaveSums(std::uint32_t contact) override
+    {
+        sources_[laneOf_[contact] / W].counted.v[laneOf_[contact] % W] = 0;
+    }
     void unload(std::uint32_t contact, Contact& row) override;
     void drop(std::uint32_t contact) override;
     void storeAll(std::vector<Contact>& rows) const override;

@@ -57,6 +57,8 @@ public:
                             const TickRows& rows) = 0;
     /// Looks at a contact that is in its lane.
     virtual LaneView view(std::uint32_t contact) const = 0;
+    /// What the contact does in this tick is not added to its sums by its lane: somebody else will.
+    virtual void leaveSums(std::uint32_t contact) = 0;
     /// Gives impulses and sums back, and takes the contact out of its lane.
     virtual void unload(std::uint32_t contact, Contact& row) = 0;
     /// Takes the contact out of its lane; what the table has of it is newer.

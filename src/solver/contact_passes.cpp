@@ -104,7 +104,9 @@ void ContactPasses::fillLanes(ContactTable& contacts, const MotionTable& motions
             Contact& c = contacts.rows[i];
             c.impacts = 0;
             c.fastestImpact = 0;
-            isLoose_[i] = c.count == 0 ? 0 : lanes_->hasLane(i) && isPlain(c) ? kPlain : 1;
+            isLoose_[i] = c.count == 0                                           ? 0
+                          : lanes_->hasLane(i) && isPlain(c) && !piles_.holds(i) ? kPlain
+                                                                                 : 1;
         }
     });
     const bool many = list_.size() > contacts.rows.size() / 4;
@@ -124,6 +126,9 @@ void ContactPasses::prepare(ContactTable& contacts, const MotionTable& motions, 
     fillLanes(contacts, motions, rows);
     rows.steady.assign(motions.rows.size(), {});
     list_.clear();
+    for (std::size_t p = 0; p < piles_.count(); ++p)
+        for (const std::uint32_t i : piles_[p].contacts)
+            if (isInLane(i)) take(i, contacts);
     lanes_->prepare(rows, context, list_);
     for (const std::uint32_t i : list_) take(i, contacts);
     sortLoose();
@@ -192,6 +197,7 @@ void ContactPasses::solve(ContactTable& contacts, MotionTable& motions, TickRows
         if (joints != nullptr) passOverJoints(*world, *joints, restless, visited, rows.velocities, unrest_);
         visitColors([&](int color) { lanes_->pass(color, rows, visited, unrest_.data(), restless); },
                     [&](std::uint32_t i) {
+                        if (piles_.holds(i)) return;
                         Contact& c = contacts.rows[i];
                         const std::uint32_t island = islandOf(*islands_, c.rowA, c.rowB);
                         if (visited != nullptr && visited[island] == 0) return;
@@ -202,7 +208,69 @@ void ContactPasses::solve(ContactTable& contacts, MotionTable& motions, TickRows
                         setVelocity(rows.velocities[c.rowA], velocityOf(a));
                         setVelocity(rows.velocities[c.rowB], velocityOf(b));
                     });
-        if (std::none_of(unrest_.begin(), unrest_.end(), [](std::uint8_t is) { return is != 0; })) break;
+        const bool left =
+            !piles_.empty() && piles_.pass(0, pass == 0, contacts, *world, *joints, rows.velocities, unrest_);
+        if (!left && std::none_of(unrest_.begin(), unrest_.end(), [](std::uint8_t is) { return is != 0; }))
+            break;
+    }
+}
+
+// Contacts that press a light body and still close, faster than what is restless; if that is tied to a heavy
+// one all of them, as the joints have their visits first.
+void ContactPasses::findCrushing(const ContactTable& contacts, const MotionTable& motions,
+                                 const TickRows& rows, const StepContext& context)
+{
+    using Lightness = StiffPiles::Lightness;
+    const real restless = context.tuning.restless * context.lengthUnit;
+    list_.clear();
+    if (std::none_of(unrest_.begin(), unrest_.end(), [](std::uint8_t is) { return is != 0; })) return;
+    for (std::uint32_t i = 0; i < contacts.rows.size(); ++i) {
+        const Contact& c = contacts.rows[i];
+        if (c.count == 0 || !holds(i) || unrest_[islandOf(*islands_, c.rowA, c.rowB)] == 0) continue;
+        const Lightness light = piles_.crushes(c);
+        if (light == Lightness::None) continue;
+        if (light == Lightness::Tied || closing(i, c, motions, rows, context) > restless) list_.push_back(i);
+    }
+}
+
+// How much faster than they may points of the contact still close, that no impact is to stop.
+real ContactPasses::closing(std::uint32_t contact, const Contact& c, const MotionTable& motions,
+                            const TickRows& rows, const StepContext& context) const
+{
+    const LaneRow &a = rows.velocities[c.rowA], &b = rows.velocities[c.rowB];
+    const bool inLane = isInLane(contact);
+    const LaneView lane = inLane ? view(contact) : LaneView{};
+    const Vec2 n = inLane ? lane.normal : c.normal;
+    const Motion motionA = motionWith(motions.rows[c.rowA], a), motionB = motionWith(motions.rows[c.rowB], b);
+    real most = 0;
+    for (int k = 0; k < c.count; ++k) {
+        const ContactPointRow& p = c.points[k];
+        if (!inLane && isLeftToImpacts(c, k, motionA, motionB, context)) continue;
+        const real turnA = inLane ? lane.points[k].turnA : cross(p.armA, n);
+        const real turnB = inLane ? lane.points[k].turnB : cross(p.armB, n);
+        const real gap = inLane ? lane.points[k].gap : p.gap;
+        const real speed = dot(n, motionB.velocity - motionA.velocity) + turnB * b.z - turnA * a.z;
+        most = maximum(most, -speed - maximum(gap, real(0)) * context.invH);
+    }
+    return most;
+}
+
+void ContactPasses::finish(ContactTable& contacts, const MotionTable& motions, TickRows& rows,
+                           const JointWorld* world, JointSystem* joints)
+{
+    list_.clear();
+    const std::size_t first = piles_.count();
+    if (joints != nullptr && piles_.mayCrush()) findCrushing(contacts, motions, rows, world->context);
+    if (joints != nullptr && !list_.empty() && piles_.add(list_, contacts, *joints) > 0) {
+        for (std::size_t p = first; p < piles_.count(); ++p)
+            for (const std::uint32_t i : piles_[p].contacts) {
+                if (!isInLane(i)) continue;
+                lanes_->leaveSums(i);
+                loosen(i, contacts, motions);
+            }
+        for (int pass = 0; pass <= world->context.tuning.extraPasses; ++pass)
+            if (!piles_.pass(first, pass == 0, contacts, *world, *joints, rows.velocities, unrest_)) break;
+        sortLoose();
     }
     for (const std::uint32_t i : loose_) {
         Contact& c = contacts.rows[i];
@@ -213,6 +281,7 @@ void ContactPasses::solve(ContactTable& contacts, MotionTable& motions, TickRows
             c.stepImpulse += point.normalImpulse * c.normal + point.tangentImpulse * perpendicular(c.normal);
         }
     }
+    if (world != nullptr) piles_.forgetBlows(contacts, motions, world->context);
 }
 
 void ContactPasses::keep(const ContactTable& contacts)
@@ -230,16 +299,19 @@ void ContactPasses::restore(ContactTable& contacts)
 }
 
 void ContactPasses::pushApart(ContactTable& contacts, MotionTable& motions, TickRows& rows,
-                              const StepContext& context, ClampCounts& clamps)
+                              const StepContext& context, ClampCounts& clamps, const JointWorld* world,
+                              const JointSystem* joints)
 {
     visitColors([&](int color) { lanes_->push(color, rows, context, clamps); },
                 [&](std::uint32_t i) {
+                    if (piles_.holds(i)) return;
                     Contact& c = contacts.rows[i];
                     BodyMotion<real> a = velocityOf(rows.pushes[c.rowA]), b = velocityOf(rows.pushes[c.rowB]);
                     pushContact(c, motions.rows[c.rowA], motions.rows[c.rowB], a, b, context, clamps);
                     rows.pushes[c.rowA] = laneRow(a);
                     rows.pushes[c.rowB] = laneRow(b);
                 });
+    if (!piles_.empty()) piles_.pushApart(contacts, *world, *joints, rows.pushes, clamps);
     visitColors([&](int color) { lanes_->repay(color, rows, context); },
                 [&](std::uint32_t i) {
                     Contact& c = contacts.rows[i];

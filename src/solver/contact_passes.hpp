@@ -3,6 +3,7 @@
 
 #include "solver/contact_lanes.hpp"
 #include "solver/joint_passes.hpp"
+#include "solver/stiff_piles.hpp"
 
 namespace tamias2d::inline TAMIAS_PRECISION {
 
@@ -65,12 +66,27 @@ public:
     /// Each pass goes over the joints first, if there are any.
     void solve(ContactTable& contacts, MotionTable& motions, TickRows& rows, const StepContext& context,
                const JointWorld* world = nullptr, JointSystem* joints = nullptr);
+    /// After them: what they leave restless is solved at once, if that may be; then all is added to the sums
+    /// of the step.
+    void finish(ContactTable& contacts, const MotionTable& motions, TickRows& rows,
+                const JointWorld* world = nullptr, JointSystem* joints = nullptr);
+    /// Finds the piles anew: at the start of a step, and when others come into it.
+    void pile(ContactTable& contacts, const MotionTable& motions, JointSystem& joints)
+    {
+        piles_.begin(contacts, motions, joints);
+    }
+    void endPiles(ContactTable& contacts, const MotionTable& motions, const StepContext& context)
+    {
+        piles_.end(contacts, motions, context);
+    }
+    const StiffPiles& piles() const { return piles_; }
     /// Before passes that may have to be taken back: keeps the impulses. `restore` gives them back.
     void keep(const ContactTable& contacts);
     void restore(ContactTable& contacts);
     /// Displacements that undo overlaps, in rows.pushes. They leave velocities alone, but for repayPush.
     void pushApart(ContactTable& contacts, MotionTable& motions, TickRows& rows, const StepContext& context,
-                   ClampCounts& clamps);
+                   ClampCounts& clamps, const JointWorld* world = nullptr,
+                   const JointSystem* joints = nullptr);
 
 private:
     Parallel& parallel_;
@@ -87,7 +103,12 @@ private:
     std::vector<std::uint32_t> list_;
     std::vector<std::uint8_t> unrest_, unrestBefore_;  // by island
     std::vector<Contact> kept_;  // the loose ones, in their order
+    StiffPiles piles_;
 
+    void findCrushing(const ContactTable& contacts, const MotionTable& motions, const TickRows& rows,
+                      const StepContext& context);
+    real closing(std::uint32_t contact, const Contact& c, const MotionTable& motions, const TickRows& rows,
+                 const StepContext& context) const;
     bool leaveLane(std::uint32_t contact, Contact& c);
     void addLoose(std::uint32_t contact);
     void fillLanes(ContactTable& contacts, const MotionTable& motions, const TickRows& rows);

@@ -66,6 +66,11 @@ real visitGroup(DirectGroup& group, JointSystem& system, const std::vector<Motio
 
 }  // namespace
 
+real visitJoint(JointRows& joint, const std::vector<Motion>& motions, std::vector<LaneRow>& velocities)
+{
+    return visit(joint, motions, velocities);
+}
+
 void passOverJoints(const JointWorld& world, JointSystem& system, real restless, const std::uint8_t* visited,
                     std::vector<LaneRow>& velocities, std::vector<std::uint8_t>& unrest)
 {
@@ -77,7 +82,7 @@ void passOverJoints(const JointWorld& world, JointSystem& system, real restless,
         return visited == nullptr || visited[islandOf(joint)] != 0;
     };
     for (JointRows& joint : system.joints) {
-        if (!isVisited(joint)) continue;
+        if (!isVisited(joint) || system.piledGroups[joint.group]) continue;
         if (visited != nullptr) aim(world, velocities, joint);
         if (system.stiffGroups[joint.group]) continue;
         if (visit(joint, motions, velocities) > restless) unrest[islandOf(joint)] = 1;
@@ -85,7 +90,7 @@ void passOverJoints(const JointWorld& world, JointSystem& system, real restless,
     for (std::size_t d = 0; d < system.directCount; ++d) {
         DirectGroup& group = system.direct[d];
         const JointRows& first = system.joints[group.joints.front()];
-        if (!isVisited(first)) continue;
+        if (!isVisited(first) || system.piledGroups[first.group]) continue;
         if (visitGroup(group, system, motions, velocities) > restless) unrest[islandOf(first)] = 1;
     }
 }
@@ -121,10 +126,21 @@ real speedOf(const Motion& m, const LaneRow& velocity)
 // Soft rows cannot be trusted with uneven masses.
 bool mayBeSoftened(const JointSystem& system, const DirectGroup& group)
 {
-    return !group.rows.empty() && !system.unevenGroups[system.joints[group.joints.front()].group];
+    if (group.rows.empty()) return false;
+    const std::uint32_t of = system.joints[group.joints.front()].group;
+    return !system.unevenGroups[of] && !system.piledGroups[of];
 }
 
-// What motors may add to that.
+}  // namespace
+
+real drivenSpeed(const std::vector<Motion>& motions)
+{
+    real most = 0;
+    for (const Motion& m : motions)
+        if (!m.moves()) most = maximum(most, length(m.velocity) + absolute(m.spin) * m.extent);
+    return most;
+}
+
 real driveOf(const JointSystem& system, const DirectGroup& group)
 {
     real sum = 0;
@@ -137,8 +153,6 @@ real driveOf(const JointSystem& system, const DirectGroup& group)
     }
     return sum;
 }
-
-}  // namespace
 
 bool mayThrow(const JointSystem& system)
 {

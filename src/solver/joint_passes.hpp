@@ -20,6 +20,9 @@ struct JointWorld {
     const StepContext& context;
 };
 
+/// One visit to a joint; returns the greatest change of speed it made.   [m/s]
+real visitJoint(JointRows& joint, const std::vector<Motion>& motions, std::vector<LaneRow>& velocities);
+
 /// One pass over the joints, in the islands that `visited` says, which aim anew; over all if it is null. Sets
 /// `unrest` of islands of which a speed was changed by more than `restless` [m/s].
 void passOverJoints(const JointWorld& world, JointSystem& system, real restless, const std::uint8_t* visited,
@@ -28,6 +31,11 @@ void passOverJoints(const JointWorld& world, JointSystem& system, real restless,
 /// After the passes: where bodies turn so fast that these did not find where they go, as near a dead point of
 /// a linkage, joints are asked to move nothing apart instead, and what they did is not carried on.
 void flattenJoints(const JointWorld& world, JointSystem& system, std::vector<LaneRow>& velocities);
+
+/// What motors may add to the speeds of a group at most.   [m/s]
+real driveOf(const JointSystem& system, const DirectGroup& group);
+/// The fastest point of bodies that nothing can push.   [m/s]
+real drivenSpeed(const std::vector<Motion>& motions);
 
 /// Is there a group that softenThrown looks at?
 bool mayThrow(const JointSystem& system);

@@ -166,6 +166,8 @@ SolverCounts solve(SolverStage& stage, const StepContext& context)
     }
     scratch.passes.begin(stage.contacts, stage.motions, stage.islands, context,
                          stage.sameContacts && stage.system.empty(), stage.renewed);
+    scratch.passes.pile(stage.contacts, stage.motions, stage.system);
+    std::size_t roused = 0;
     startSweeps(impacts, context, stage.sameContacts ? &stage.renewed : nullptr);
     findCalmRows(stage.islands, scratch.calmRows);
     lanes.velocities.resize(rows.size());
@@ -200,6 +202,8 @@ SolverCounts solve(SolverStage& stage, const StepContext& context)
         applyImpacts(impacts, context, tick);
         if (!stage.roused.empty()) varies = stage.field.varies(stage.motions, stage.world.bodies);
         hasJoints = !stage.system.empty();  // those of sleepers that were hit, too
+        if (stage.roused.size() > roused) scratch.passes.pile(stage.contacts, stage.motions, stage.system);
+        roused = stage.roused.size();
         counts.impactTime += watch.lap();
 
         // First kick, contacts.
@@ -209,13 +213,16 @@ SolverCounts solve(SolverStage& stage, const StepContext& context)
         });
         const JointWorld jointWorld{stage.joints, stage.world.bodies, stage.motions, stage.islands, context};
         passOver(stage, jointWorld);
+        scratch.passes.finish(stage.contacts, stage.motions, lanes, &jointWorld, &stage.system);
         if (hasJoints) {
             flattenJoints(jointWorld, stage.system, lanes.velocities);
             storeJointed(stage, lanes);
             tallyJoints(stage.joints, stage.system, rows);
         }
         if (tick == 0) lanes.pushes.assign(rows.size(), {});
-        if (tick == 0) scratch.passes.pushApart(stage.contacts, stage.motions, lanes, context, counts.clamps);
+        if (tick == 0)
+            scratch.passes.pushApart(stage.contacts, stage.motions, lanes, context, counts.clamps,
+                                     &jointWorld, &stage.system);
 
         span.next("drift");
         const bool together = !varies && !hasJoints;
@@ -238,6 +245,9 @@ SolverCounts solve(SolverStage& stage, const StepContext& context)
         calm(stage, context);
         counts.solveTime += watch.lap();
     }
+    scratch.passes.endPiles(stage.contacts, stage.motions, context);
+    counts.piles = static_cast<std::uint32_t>(scratch.passes.piles().count());
+    counts.pileFallbacks = scratch.passes.piles().fallbacks();
     if (!stage.system.empty()) releaseGuard(stage.world.bodies, rows);
     scratch.passes.end(stage.contacts);
     endSweeps(impacts);

@@ -60,6 +60,8 @@ struct SolverCounts {
     ClampCounts clamps;
     std::uint32_t repaired = 0;
     std::uint32_t lawFaults = 0;
+    std::uint32_t piles = 0;           ///< solved at once
+    std::uint32_t pileFallbacks = 0;   ///< visits to such a pile that found no solution
     double impactTime = 0, solveTime = 0;   ///< [ms]
 };
 

@@ -89,6 +89,13 @@ inline void setVelocity(Motion& m, const BodyMotion<real>& motion)
     m.spin = motion.spin;
 }
 
+inline Motion motionWith(const Motion& m, const LaneRow& velocity)
+{
+    Motion with = m;
+    setVelocity(with, velocityOf(velocity));
+    return with;
+}
+
 /// What rows of TickRows::steady say of a body, and the reverse.
 inline void takeSteady(Motion& m, const LaneRow& row)
 {

@@ -97,6 +97,7 @@ void add(Hasher& hash, const Contact& c)
     hash.add((std::uint64_t{c.shapeA} << 32) | c.shapeB);
     addFlags(hash, c.count, c.touching);
     hash.add(c.rollingImpulse);
+    if (c.stiffSteps != 0) hash.add(static_cast<std::uint64_t>(c.stiffSteps));
     for (int i = 0; i < c.count; ++i) {
         hash.add(c.points[i].normalImpulse);
         hash.add(c.points[i].tangentImpulse);

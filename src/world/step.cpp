@@ -330,8 +330,8 @@ StepReport World::Impl::step(double dt, int substeps)
     r.pairs = static_cast<std::uint32_t>(contacts.rows.size());
     r.impacts = static_cast<std::uint32_t>(impacts.size());
     r.joints = static_cast<std::uint32_t>(jointSystem.joints.size());
-    r.stiffGroups = static_cast<std::uint32_t>(jointSystem.directCount);
-    r.stiffFallbacks = jointSystem.fallbacks;
+    r.stiffGroups = static_cast<std::uint32_t>(jointSystem.directCount) + counts.piles;
+    r.stiffFallbacks = jointSystem.fallbacks + counts.pileFallbacks;
     r.jointFaults = jointSystem.countFaults();
     r.islands = graph.islands.count();
     r.times.finalize = watch.lap();

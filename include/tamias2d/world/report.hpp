@@ -40,7 +40,7 @@ struct StepReport {
     std::uint32_t repaired = 0;  ///< pairs added because an impact threw a body out of its swept box
     std::uint32_t islands = 0;  ///< groups of movable bodies that touch or bear each other; one alone counts
     std::uint32_t joints = 0;  ///< at work: enabled, between enabled bodies
-    std::uint32_t stiffGroups = 0;  ///< groups of joints that were solved at once
+    std::uint32_t stiffGroups = 0;  ///< groups of joints, piles of heavy on light, solved at once
     std::uint32_t stiffFallbacks = 0;  ///< visits to such a group that found no solution: joints one by one
     std::uint32_t nonFinite = 0;  ///< bodies set aside (disabled) as a value of theirs was no number
     std::uint32_t jointFaults = 0;  ///< answers of joints of your own that threw or were none that can be

@@ -134,6 +134,7 @@ TEST(ContactLanes, GiveTheBitsOfVisitingContactsOneByOne)
             passes.begin(wide.contacts, wide.motions, wide.islands, wide.context, false, {});
             passes.prepare(wide.contacts, wide.motions, wide.rows, wide.context);
             passes.solve(wide.contacts, wide.motions, wide.rows, wide.context);
+            passes.finish(wide.contacts, wide.motions, wide.rows);
             passes.end(wide.contacts);
 
             for (std::size_t i = 0; i < wide.motions.rows.size(); ++i) {
@@ -174,6 +175,7 @@ TEST(ContactLanes, GiveTheSameBitsWithAnyWidth)
             for (int tick = 0; tick < 3; ++tick) {
                 passes.prepare(heap.contacts, heap.motions, heap.rows, heap.context);
                 passes.solve(heap.contacts, heap.motions, heap.rows, heap.context);
+                passes.finish(heap.contacts, heap.motions, heap.rows);
                 passes.pushApart(heap.contacts, heap.motions, heap.rows, heap.context, clamps);
             }
             passes.end(heap.contacts);
