@@ -380,9 +380,13 @@ void StiffPiles::forgetBlows(ContactTable& contacts, const MotionTable& motions,
             for (int i = 0; i < c.count && inverse > 0; ++i) {
                 ContactPointRow& point = c.points[i];
                 const real most = 2 * (pile.carried[k][static_cast<std::size_t>(i)] + own / inverse);
-                if (!(point.normalImpulse > most)) continue;
-                point.tangentImpulse *= most / point.normalImpulse;
-                point.normalImpulse = most;
+                if (point.normalImpulse > most) {
+                    point.tangentImpulse *= most / point.normalImpulse;
+                    point.normalImpulse = most;
+                }
+                // Its bound was that of the normal impulse before the last.
+                const real bound = c.friction * point.normalImpulse;
+                point.tangentImpulse = clamp(point.tangentImpulse, -bound, bound);
             }
         }
         if (pile.failed) pile.carried.clear();
