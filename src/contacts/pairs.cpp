@@ -164,6 +164,7 @@ void sortContacts(std::vector<Contact>& contacts, MatchScratch& scratch)
     const auto before = [](const Contact& a, const Contact& b) { return isBefore(a, {b.shapeA, b.shapeB}); };
     const auto firstLate = std::is_sorted_until(contacts.begin(), contacts.end(), before);
     scratch.late.clear();
+    scratch.late.reserve(contacts.capacity());
     for (auto c = firstLate; c != contacts.end(); ++c)
         scratch.late.push_back({{c->shapeA, c->shapeB}, static_cast<std::uint32_t>(c - contacts.begin())});
     std::sort(scratch.late.begin(), scratch.late.end());

@@ -65,7 +65,7 @@ Builtin wreckerScene()
              "Wrecking ball",
              "A heavy ball on a chain of light links, released level, swings into a wall.",
              {{"links", Integer, "10", 1, 50, {}, "of the chain"},
-              {"load", Number, "500", 1, 10000, {}, "mass of the ball, in those of a link"},
+              {"load", Number, "500", 1, 10000, {}, "mass of the ball over that of a link [1]"},
               {"rows", Integer, "8", 0, 30, {}, "of the wall"},
               {"columns", Integer, "2", 1, 10, {}, "of the wall"}}},
             prepare,
