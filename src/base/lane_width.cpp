@@ -57,7 +57,7 @@ LaneWidth askedLanes(LaneWidth ofWorld) noexcept
 LaneWidth suitedLanes(LaneWidth asked, std::size_t bodies) noexcept
 {
     // Found by measuring worlds of resting boxes, in float: ./dev bench awake_10 awake_30 awake_100.
-    constexpr std::size_t kFloats = sizeof(real) / sizeof(float);
+    constexpr std::size_t kFloats = sizeof(real) / 4;
     constexpr std::size_t kEnoughFor32 = 16 / kFloats, kEnoughFor64 = 128 / kFloats;
     if (asked != LaneWidth::Best) return asked;
     if (bodies >= kEnoughFor64 && hasLanes(LaneWidth::Bytes64)) return LaneWidth::Bytes64;

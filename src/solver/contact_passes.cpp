@@ -30,10 +30,8 @@ void startLoose(Contact& c, const MotionTable& motions, TickRows& rows)
 
 void ContactPasses::use(LaneWidth width)
 {
-    std::unique_ptr<ContactLanes>& lanes = lanesOf_[static_cast<std::size_t>(width)];
-    if (lanes == nullptr) lanes = makeContactLanes(width, parallel_);
-    areOthers_ = lanes.get() != lanes_;
-    lanes_ = lanes.get();
+    if (width != width_) lanes_ = makeContactLanes(width, parallel_);
+    width_ = width;
 }
 
 void ContactPasses::begin(ContactTable& contacts, const MotionTable& motions, const Islands& islands,
@@ -44,7 +42,7 @@ void ContactPasses::begin(ContactTable& contacts, const MotionTable& motions, co
     loose_.clear();
     isLoose_.resize(count);
     inLane_.resize(count);
-    if (same && !areOthers_ && lanes_->fits(contacts.rows, renewed, context)) {
+    if (same && lanes_->fits(contacts.rows, renewed, context)) {
         for (std::uint32_t i = 0; i < count; ++i) {
             if (renewed[i] == 0 || inLane_[i] == 0) continue;
             lanes_->drop(i);

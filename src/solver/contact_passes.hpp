@@ -90,9 +90,8 @@ public:
 
 private:
     Parallel& parallel_;
-    std::unique_ptr<ContactLanes> lanesOf_[5];  // by width, once it has been used
-    ContactLanes* lanes_ = nullptr;  // of the step
-    bool areOthers_ = true;  // than those of the step before
+    std::unique_ptr<ContactLanes> lanes_;
+    LaneWidth width_ = LaneWidth::Best;  // of those; Best: there are none yet
     const Islands* islands_ = nullptr;  // of the step
     std::vector<std::uint32_t> loose_;  // contacts out of their lanes that have points, in solving order
     std::vector<std::uint8_t> isLoose_;  // by contact: is it in that list?

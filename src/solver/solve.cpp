@@ -137,9 +137,10 @@ void calm(SolverStage& stage, const StepContext& context)
 
 void SolverScratch::suit(std::size_t count)
 {
-    const LaneWidth width = suitedLanes(asked, count);
+    most_ = maximum(most_, count);
+    const LaneWidth width = suitedLanes(asked_, most_);
     passes.use(width);
-    bodyKernelsOfStep = &bodyKernels(width);
+    bodyKernelsOfStep_ = &bodyKernels(width);
 }
 
 SolverCounts solve(SolverStage& stage, const StepContext& context)

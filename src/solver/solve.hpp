@@ -23,15 +23,17 @@ struct SolverScratch {
     ContactPasses passes;
     ImpactScratch impacts;
 
-    SolverScratch(LaneWidth lanes, Parallel& parallel) : passes(parallel), asked(askedLanes(lanes)) {}
+    SolverScratch(LaneWidth lanes, Parallel& parallel) : passes(parallel), asked_(askedLanes(lanes)) {}
 
-    /// Before each step: the width for so many rows.
+    /// Before each step: the width for the most rows there have been. Lanes of another width would need
+    /// memory of their own, and a warm world asks for none.
     void suit(std::size_t count);
-    const BodyKernels& bodies() const { return *bodyKernelsOfStep; }
+    const BodyKernels& bodies() const { return *bodyKernelsOfStep_; }
 
 private:
-    LaneWidth asked;
-    const BodyKernels* bodyKernelsOfStep = nullptr;
+    LaneWidth asked_;
+    std::size_t most_ = 0;  // rows, ever
+    const BodyKernels* bodyKernelsOfStep_ = nullptr;
 };
 
 /// What the solver reads and moves.

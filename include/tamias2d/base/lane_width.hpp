@@ -10,7 +10,7 @@ namespace tamias2d::inline TAMIAS_PRECISION {
 /// How many bytes of numbers the solver reckons with at once. The results have the same bits with each
 /// [ADR6].
 enum class LaneWidth : std::uint8_t {
-    Best,  ///< the fastest of those this machine has, step by step: wide for many bodies, narrow for few; the
+    Best,  ///< the fastest of those this machine has: wide for many bodies in a step, narrow for few; the
            ///< environment variable TAMIAS_LANES (scalar, 16, 32 or 64), read as a world is made, overrides
     Scalar,  ///< one number
     Bytes16,  ///< SSE2, NEON, wasm SIMD: always there
