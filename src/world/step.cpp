@@ -19,8 +19,7 @@
 namespace tamias2d::inline TAMIAS_PRECISION {
 namespace {
 
-template <class Row>
-bool byShapes(const Row& a, const Row& b)
+bool byShapes(const TouchEvent& a, const TouchEvent& b)
 {
     return a.shapeA != b.shapeA ? a.shapeA < b.shapeA : a.shapeB < b.shapeB;
 }
@@ -292,8 +291,8 @@ StepReport World::Impl::step(double dt, int substeps)
         if (touchChanges[i] == Begins) begins.push_back(touchEvent(contacts.rows[i]));
         if (touchChanges[i] == Ends) ends.push_back(touchEvent(contacts.rows[i]));
     }
-    std::sort(begins.begin(), begins.end(), byShapes<TouchEvent>);
-    std::sort(ends.begin(), ends.end(), byShapes<TouchEvent>);
+    std::sort(begins.begin(), begins.end(), byShapes);
+    std::sort(ends.begin(), ends.end(), byShapes);
     hits.clear();
     std::sort(impacts.begin(), impacts.end(), [](const ImpactRecord& a, const ImpactRecord& b) {
         if (a.hit.time != b.hit.time) return a.hit.time < b.hit.time;

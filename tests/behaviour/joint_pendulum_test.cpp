@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Pendulums against their closed forms: energy, period, reaction.
-#include "support/build.hpp"
-#include "support/run.hpp"
+#include "support/pendulum.hpp"
 #include "support/traces.hpp"
 
 #include <gtest/gtest.h>
@@ -11,29 +10,17 @@ namespace {
 
 using namespace test;
 
-constexpr double kGravity = 9.81;              // [m/s^2]
-constexpr double kQuarterPeriod = 1.8540746773013719;  // K(sin 45 degrees): released from level
+constexpr double kGravity = kPendulumGravity;
 
 enum class Hung { ByPivot, ByRod };
 
-// A disc of 1 kg, its center 1 m from a static pivot, released from level.
-struct Pendulum {
-    World world;
-    Body pivot = addDisc(world, {0, 0}, 0.1, {.type = BodyType::Static});
-    Body bob = addDisc(world, {1, 0}, 0.1, {.density = 1 / (kPi * 0.01)});
+struct Pendulum : LevelPendulum {
     Joint joint;
 
     explicit Pendulum(Hung hung)
         : joint(world.createJoint(hung == Hung::ByPivot ? revoluteAt(pivot, bob, {0, 0})
                                                         : rodBetween(pivot, bob, {0, 0}, {1, 0})))
     {
-    }
-
-    /// On a pivot the disc turns with the swing, on a rod it need not.
-    double exactPeriod(Hung hung) const
-    {
-        const double turning = hung == Hung::ByPivot ? static_cast<double>(bob.inertia()) : 0;
-        return 4 * kQuarterPeriod * std::sqrt((1 + turning) / kGravity);
     }
 };
 
@@ -43,22 +30,10 @@ TEST_P(PendulumOf, KeepsItsEnergyAndItsPeriodForAHundredSeconds)
 {
     TRACES("LC3", "IM1", "IM2", "DD15", "DD16");
     Pendulum p(GetParam());
-    const double start = p.world.energy().total();
-    double most = 0, first = 0, last = 0, angle = -1;
-    int swings = 0;
-    runSeconds(p.world, 100, 60, 4, [&] {
-        most = std::max(most, std::abs(p.world.energy().total() - start));
-        const DVec2 c = centerOf(p.bob);
-        const double now = std::atan2(c.x, -c.y);
-        if (angle < 0 && now >= 0 && now < 1) {  // through the lowest point, from left to right
-            last = p.world.time() - now / (now - angle) / 60;
-            if (++swings == 1) first = last;
-        }
-        angle = now;
-    });
-    EXPECT_LT(most / kGravity, byPrecision(0.001, 0.005));
-    EXPECT_GT(swings, 40);
-    EXPECT_LT(relativeError((last - first) / (swings - 1), p.exactPeriod(GetParam())), 1e-4);
+    const Swings swings = swingForAHundredSeconds(p);
+    EXPECT_LT(swings.mostEnergy / kGravity, byPrecision(0.001, 0.005));
+    EXPECT_GT(swings.count, 40);
+    EXPECT_LT(relativeError(swings.period, p.exactPeriod(GetParam() == Hung::ByPivot)), 1e-4);
     EXPECT_LT(static_cast<double>(p.joint.reading().error), 1e-5);
 }
 

@@ -3,6 +3,7 @@
 #include "support/build.hpp"
 #include "support/closed_form.hpp"
 #include "support/own_joints.hpp"
+#include "support/pendulum.hpp"
 #include "support/run.hpp"
 #include "support/traces.hpp"
 
@@ -13,20 +14,12 @@ namespace {
 
 using namespace test;
 
-constexpr double kGravity = 9.81;                      // [m/s^2]
-constexpr double kQuarterPeriod = 1.8540746773013719;  // K(sin 45 degrees): released from level
+constexpr double kGravity = kPendulumGravity;
 
 double number(real x)
 {
     return static_cast<double>(x);
 }
-
-// A disc of mass 1 kg at 1 m from a static pivot, released from level.
-struct Pendulum {
-    World world;
-    Body pivot = addDisc(world, {0, 0}, 0.1, {.type = BodyType::Static});
-    Body bob = addDisc(world, {1, 0}, 0.1, {.density = 1 / (kPi * 0.01)});
-};
 
 enum class Hung { ByRod, ByHinge };
 class OwnPendulum : public testing::TestWithParam<Hung> {};
@@ -34,27 +27,13 @@ class OwnPendulum : public testing::TestWithParam<Hung> {};
 TEST_P(OwnPendulum, KeepsItsEnergyAndItsPeriodForAHundredSeconds)
 {
     TRACES("LC3", "IM1", "IM2");
-    Pendulum p;
+    LevelPendulum p;
     Joint joint = GetParam() == Hung::ByRod ? p.world.createJoint(OwnRod{}, p.pivot, p.bob)
                                             : p.world.createJoint(OwnHinge{{}, vec(-1, 0)}, p.pivot, p.bob);
-    const double start = p.world.energy().total();
-    double most = 0, first = 0, last = 0, angle = -1;
-    int swings = 0;
-    runSeconds(p.world, 100, 60, 4, [&] {
-        most = std::max(most, std::abs(p.world.energy().total() - start));
-        const DVec2 c = centerOf(p.bob);
-        const double now = std::atan2(c.x, -c.y);
-        if (angle < 0 && now >= 0 && now < 1) {
-            last = p.world.time() - now / (now - angle) / 60;
-            if (++swings == 1) first = last;
-        }
-        angle = now;
-    });
-    const double turning = GetParam() == Hung::ByHinge ? number(p.bob.inertia()) : 0;
-    const double exact = 4 * kQuarterPeriod * std::sqrt((1 + turning) / kGravity);
-    EXPECT_LT(most / kGravity, byPrecision(0.001, 0.005));
-    EXPECT_GT(swings, 40);
-    EXPECT_LT(relativeError((last - first) / (swings - 1), exact), 1e-4);
+    const Swings swings = swingForAHundredSeconds(p);
+    EXPECT_LT(swings.mostEnergy / kGravity, byPrecision(0.001, 0.005));
+    EXPECT_GT(swings.count, 40);
+    EXPECT_LT(relativeError(swings.period, p.exactPeriod(GetParam() == Hung::ByHinge)), 1e-4);
     EXPECT_LT(number(joint.reading().error), 1e-5);
 }
 
@@ -66,7 +45,7 @@ INSTANTIATE_TEST_SUITE_P(Both, OwnPendulum, testing::Values(Hung::ByRod, Hung::B
 TEST(OwnJoints, ARodMovesAsTheBuiltInOneDoes)
 {
     TRACES("LC3");
-    Pendulum mine, built;
+    LevelPendulum mine, built;
     Joint own = mine.world.createJoint(OwnRod{}, mine.pivot, mine.bob);
     Joint rod = built.world.createJoint(rodBetween(built.pivot, built.bob, {0, 0}, {1, 0}));
     double apart = 0, forces = 0;
