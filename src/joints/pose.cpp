@@ -86,7 +86,7 @@ JointPose poseOf(const JointRow& joint, const BodyTable& bodies, const Motion& a
         pose.hangB = toVec2(placeB.center - pulley->wheelB) + pose.armB;
     }
     pose.notch = joint.notch;
-    pose.mass = reducedOf(maximum(a.invMass.x, a.invMass.y), maximum(b.invMass.x, b.invMass.y));
+    pose.mass = reducedOf(a.greatestInvMass(), b.greatestInvMass());
     pose.inertia = reducedOf(a.invInertia, b.invInertia);
     return pose;
 }

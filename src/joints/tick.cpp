@@ -226,10 +226,7 @@ std::uint32_t JointSystem::countFaults() const
 
 bool areUneven(const Motion& a, const Motion& b, double ratio)
 {
-    const auto inverse = [](const Motion& m) {
-        return static_cast<double>(maximum(m.invMass.x, m.invMass.y));
-    };
-    const double p = inverse(a), q = inverse(b);
+    const auto p = static_cast<double>(a.greatestInvMass()), q = static_cast<double>(b.greatestInvMass());
     return p > 0 && q > 0 && (p > ratio * q || q > ratio * p);
 }
 
@@ -308,7 +305,7 @@ real turnMassOf(const JointRows& joint, real pull, const Motion& a, const Motion
                 const StepContext& context)
 {
     constexpr real kOwn = real(0.1);  // of the lighter mass: up to there nothing is done
-    const real inverse = maximum(maximum(a.invMass.x, a.invMass.y), maximum(b.invMass.x, b.invMass.y));
+    const real inverse = maximum(a.greatestInvMass(), b.greatestInvMass());
     if (!(joint.distance > 0) || !(inverse > 0)) return 0;
     return maximum(real(0), context.h * pull / joint.distance - kOwn / inverse);
 }

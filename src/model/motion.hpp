@@ -63,6 +63,8 @@ struct alignas(64) Motion {
     double excessTurn = 0;     // [rad]
     Damping dampedTick, dampedTurn;  // of the velocity, of the spin
 
+    /// Of the axis along which it moves more easily: one may be locked.   [1/kg]
+    real greatestInvMass() const { return maximum(invMass.x, invMass.y); }
     bool isLoaded() const { return load > 0; }
     bool isDamped() const { return damping > 0 || spinDamping > 0; }
     bool isFree() const { return invMass.x > 0 && invMass.x == invMass.y; }   ///< no locked axis

@@ -9,7 +9,7 @@ namespace {
 
 double massOf(const Motion& m)
 {
-    const real inverse = maximum(m.invMass.x, m.invMass.y);
+    const real inverse = m.greatestInvMass();
     return inverse > 0 ? 1 / static_cast<double>(inverse) : 0;  // pinned: it has no motion but its spin
 }
 double inertiaOf(const Motion& m)

@@ -98,7 +98,7 @@ void storeDirectRows(const JointRows& rows, const std::uint8_t*& place, Contact&
 // Does the contact bear a load that is heavy for one of its bodies?
 bool bearsMuch(const Contact& c, const Motion& a, const Motion& b, real h)
 {
-    const real inverse = maximum(maximum(a.invMass.x, a.invMass.y), maximum(b.invMass.x, b.invMass.y));
+    const real inverse = maximum(a.greatestInvMass(), b.greatestInvMass());
     const real forces = h * maximum(length(a.acceleration), length(b.acceleration));
     real load = 0;
     for (int k = 0; k < c.count; ++k) load += c.points[k].normalImpulse;
@@ -124,10 +124,10 @@ bool StiffPiles::mayBeUneven(const MotionTable& motions) const
 {
     const Motion *lightest = nullptr, *heaviest = nullptr;
     for (const Motion& m : motions.rows) {
-        const real inverse = maximum(m.invMass.x, m.invMass.y);
+        const real inverse = m.greatestInvMass();
         if (!(inverse > 0)) continue;
-        if (lightest == nullptr || inverse > maximum(lightest->invMass.x, lightest->invMass.y)) lightest = &m;
-        if (heaviest == nullptr || inverse < maximum(heaviest->invMass.x, heaviest->invMass.y)) heaviest = &m;
+        if (lightest == nullptr || inverse > lightest->greatestInvMass()) lightest = &m;
+        if (heaviest == nullptr || inverse < heaviest->greatestInvMass()) heaviest = &m;
     }
     return lightest != nullptr && areUneven(*lightest, *heaviest, kUnevenTies);
 }
@@ -160,8 +160,7 @@ void StiffPiles::findCandidates(const ContactTable& contacts, const MotionTable&
         const double ratio = as == Lightness::Tied ? kUnevenTies : kUnevenTouches;
         if (!areUneven(rows[rowA], rows[rowB], ratio)) return;
         candidates_[nearOf(rowA, rowB)] = 1;
-        const bool isA = maximum(rows[rowA].invMass.x, rows[rowA].invMass.y) >
-                         maximum(rows[rowB].invMass.x, rows[rowB].invMass.y);
+        const bool isA = rows[rowA].greatestInvMass() > rows[rowB].greatestInvMass();
         isLight_[isA ? rowA : rowB] = maximum(isLight_[isA ? rowA : rowB], as);
     };
     for (const JointRows& joint : joints.joints)
@@ -354,9 +353,7 @@ bool StiffPiles::pass(std::size_t first, bool anew, ContactTable& contacts, cons
             start(pile, contacts, world, joints, velocities);
         else if (!pile.restless)
             continue;
-        for (const std::uint32_t j : pile.group.joints) {
-            aim(joints.joints[j], world, velocities);
-        }
+        for (const std::uint32_t j : pile.group.joints) aim(joints.joints[j], world, velocities);
         const real change = visit(pile, contacts, world, joints, velocities);
         pile.restless = change > restless && (pile.failed || !pile.group.joints.empty());
         left = left || pile.restless;
@@ -373,8 +370,7 @@ void StiffPiles::forgetBlows(ContactTable& contacts, const MotionTable& motions,
         for (std::size_t k = 0; k < pile.carried.size(); ++k) {
             Contact& c = contacts.rows[pile.contacts[k]];
             const Motion &a = motions.rows[c.rowA], &b = motions.rows[c.rowB];
-            const real inverse =
-                maximum(maximum(a.invMass.x, a.invMass.y), maximum(b.invMass.x, b.invMass.y));
+            const real inverse = maximum(a.greatestInvMass(), b.greatestInvMass());
             const real own = maximum(context.h * maximum(length(a.acceleration), length(b.acceleration)),
                                      context.tuning.restless * context.lengthUnit);
             for (int i = 0; i < c.count && inverse > 0; ++i) {
