@@ -10,9 +10,11 @@ What it prints must be the ```text block that follows it, if the next block is o
 
 import argparse
 import difflib
+import os
 import re
 import subprocess
 import sys
+from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -55,12 +57,15 @@ def check(build: Path) -> list[str]:
     out = build / "snippets"
     out.mkdir(parents=True, exist_ok=True)
     pages = [ROOT / "README.md", ROOT / "CONTRIBUTING.md", *sorted((ROOT / "docs").rglob("*.md"))]
-    for number, program in enumerate(p for page in pages for p in programs(page)):
-        if program.file and (ROOT / program.file).read_text() != program.text:
-            faults.append(f"{program.name}: is not what {program.file} says")
-        fault = compile_and_run(program, build, out / f"snippet{number}")
-        if fault:
-            faults.append(f"{program.name}: {fault}")
+    found = [program for page in pages for program in programs(page)]
+    with ThreadPoolExecutor(os.cpu_count() or 2) as pool:
+        stems = (out / f"snippet{number}" for number in range(len(found)))
+        runs = pool.map(lambda program, stem: compile_and_run(program, build, stem), found, stems)
+        for program, fault in zip(found, runs):
+            if program.file and (ROOT / program.file).read_text() != program.text:
+                faults.append(f"{program.name}: is not what {program.file} says")
+            if fault:
+                faults.append(f"{program.name}: {fault}")
     return faults
 
 

@@ -90,7 +90,7 @@ Geometry readPlain(const Node& node)
 constexpr struct {
     const char* key;
     Geometry (*read)(const Node&);
-} kKinds[] = {
+} kGeometryKinds[] = {
     {"circle", readPlain<Circle>},   {"capsule", readPlain<Capsule>},
     {"segment", readPlain<Segment>}, {"box", readBox},
     {"polygon", readPolygon},        {"regularPolygon", readRegularPolygon},
@@ -135,7 +135,7 @@ struct GeometryWriter {
 Geometry readGeometry(ObjectReader& shape)
 {
     std::optional<Geometry> geometry;
-    for (const auto& kind : kKinds) {
+    for (const auto& kind : kGeometryKinds) {
         const std::optional<Node> node = shape.find(kind.key);
         if (!node) continue;
         if (geometry) node->refuse(kOneKind);

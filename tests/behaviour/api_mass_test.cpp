@@ -13,11 +13,11 @@ namespace {
 
 using namespace test;
 
-const double kTolerance = byPrecision(1e-13, 2e-6);  // relative; a few roundings of sums of a few terms
+const double kSumTolerance = byPrecision(1e-13, 2e-6);  // relative; a few roundings of sums of a few terms
 
 void expectNear(double a, double b, double scale, const char* what)
 {
-    EXPECT_NEAR(a, b, kTolerance * scale) << what;
+    EXPECT_NEAR(a, b, kSumTolerance * scale) << what;
 }
 
 struct Expected {

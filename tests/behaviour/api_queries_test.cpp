@@ -14,8 +14,6 @@ namespace {
 
 using namespace test;
 
-const double kTolerance = byPrecision(1e-12, 1e-5);
-
 // A row of one of each: disc at 0, box at 3, capsule at 6, hexagon at 9, wall segment at 12; all 2 m high.
 struct Row {
     World world;
@@ -73,11 +71,11 @@ TEST(Ray, FindsTheFirstShape)
     ASSERT_TRUE(hit.has_value());
     EXPECT_EQ(hit->shape, row.shapeOf(row.disc));
     EXPECT_EQ(hit->body, row.disc.id());
-    EXPECT_NEAR(hit->fraction, 0.2, kTolerance);
-    EXPECT_NEAR(hit->point.x, -1, kTolerance);
-    EXPECT_NEAR(hit->point.y, 0, kTolerance);
-    EXPECT_NEAR(hit->normal.x, -1, kTolerance);
-    EXPECT_NEAR(hit->normal.y, 0, kTolerance);
+    EXPECT_NEAR(hit->fraction, 0.2, kExact);
+    EXPECT_NEAR(hit->point.x, -1, kExact);
+    EXPECT_NEAR(hit->point.y, 0, kExact);
+    EXPECT_NEAR(hit->normal.x, -1, kExact);
+    EXPECT_NEAR(hit->normal.y, 0, kExact);
     EXPECT_FALSE(row.world.castRay({-5, 0}, {-1.1, 0}).has_value()) << "it ends before";
     EXPECT_FALSE(row.world.castRay({-5, 2}, {15, 2}).has_value()) << "it passes above";
     EXPECT_FALSE(row.world.castRay({-5, 0}, {-15, 0}).has_value()) << "it looks away";
@@ -90,26 +88,26 @@ TEST(Ray, MeetsAShapeObliquely)
     // Down onto the disc at x = 0.6: it is met at (0.6, 0.8), where the normal is the same.
     const auto disc = row.world.castRay({0.6, 4}, {0.6, -4});
     ASSERT_TRUE(disc.has_value());
-    EXPECT_NEAR(disc->point.y, 0.8, kTolerance);
-    EXPECT_NEAR(disc->normal.x, 0.6, kTolerance);
-    EXPECT_NEAR(disc->normal.y, 0.8, kTolerance);
+    EXPECT_NEAR(disc->point.y, 0.8, kExact);
+    EXPECT_NEAR(disc->normal.x, 0.6, kExact);
+    EXPECT_NEAR(disc->normal.y, 0.8, kExact);
     const auto box = row.world.castRay({2.5, 4}, {3.5, -4});
     ASSERT_TRUE(box.has_value());
     EXPECT_EQ(box->shape, row.shapeOf(row.box));
-    EXPECT_NEAR(box->point.y, 1, kTolerance);
-    EXPECT_NEAR(box->point.x, 2.875, kTolerance);
-    EXPECT_NEAR(box->normal.y, 1, kTolerance);
+    EXPECT_NEAR(box->point.y, 1, kExact);
+    EXPECT_NEAR(box->point.x, 2.875, kExact);
+    EXPECT_NEAR(box->normal.y, 1, kExact);
     // The rounded corner of the box at 9: a quarter disc of 0.25 around (9.75, 0.75).
     const auto corner = row.world.castRay({9.75 + 0.15, 4}, {9.75 + 0.15, -4});
     ASSERT_TRUE(corner.has_value());
-    EXPECT_NEAR(corner->point.y, 0.95, kTolerance);
-    EXPECT_NEAR(corner->normal.x, 0.6, 10 * kTolerance);
-    EXPECT_NEAR(corner->normal.y, 0.8, 10 * kTolerance);
+    EXPECT_NEAR(corner->point.y, 0.95, kExact);
+    EXPECT_NEAR(corner->normal.x, 0.6, 10 * kExact);
+    EXPECT_NEAR(corner->normal.y, 0.8, 10 * kExact);
     for (const double side : {1.0, -1.0}) {
         const auto wall = row.world.castRay({12 + side, 0.5}, {12 - side, 0.5});
         ASSERT_TRUE(wall.has_value()) << "a segment is solid from both sides";
         EXPECT_EQ(wall->shape, row.shapeOf(row.wall));
-        EXPECT_NEAR(wall->normal.x, side, kTolerance);
+        EXPECT_NEAR(wall->normal.x, side, kExact);
     }
 }
 

@@ -15,7 +15,7 @@ namespace {
 
 using namespace test;
 
-using Pair = std::pair<ShapeId, ShapeId>;
+using ShapeIds = std::pair<ShapeId, ShapeId>;
 
 class Script final : public RandomScript {
 public:
@@ -34,7 +34,7 @@ private:
     void follow(const StepEvents& events)
     {
         const auto inOrder = [](const TouchEvent& a, const TouchEvent& b) {
-            return Pair{a.shapeA, a.shapeB} < Pair{b.shapeA, b.shapeB};
+            return ShapeIds{a.shapeA, a.shapeB} < ShapeIds{b.shapeA, b.shapeB};
         };
         EXPECT_TRUE(std::is_sorted(events.begins.begin(), events.begins.end(), inOrder));
         EXPECT_TRUE(std::is_sorted(events.ends.begin(), events.ends.end(), inOrder));
@@ -52,14 +52,14 @@ private:
 
     void compare(const StepReport& report)
     {
-        std::set<Pair> seen;
+        std::set<ShapeIds> seen;
         for (const ContactView& contact : world_.contacts()) {
             if (contact.touching) seen.insert({contact.shapeA, contact.shapeB});
             EXPECT_TRUE(world_.body(contact.bodyA).isEnabled() && world_.body(contact.bodyB).isEnabled());
         }
         EXPECT_EQ(seen, touching_) << "contacts() against the events";
         EXPECT_EQ(report.touching, touching_.size());
-        for (const Pair& pair : touching_) {
+        for (const ShapeIds& pair : touching_) {
             ASSERT_TRUE(world_.findShape(pair.first) && world_.findShape(pair.second))
                 << "a destroyed shape touches";
             EXPECT_TRUE(world_.touching(pair.first, pair.second));
@@ -76,13 +76,13 @@ private:
 
     bool touch(BodyId a, BodyId b)
     {
-        return std::any_of(touching_.begin(), touching_.end(), [&](const Pair& pair) {
+        return std::any_of(touching_.begin(), touching_.end(), [&](const ShapeIds& pair) {
             const BodyId x = world_.shape(pair.first).body(), y = world_.shape(pair.second).body();
             return (x == a && y == b) || (x == b && y == a);
         });
     }
 
-    std::set<Pair> touching_;
+    std::set<ShapeIds> touching_;
     int begins_ = 0, ends_ = 0;
 };
 

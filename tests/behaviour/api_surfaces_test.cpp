@@ -162,10 +162,10 @@ TEST(RollingResistance, OfNoneLetsADiscRollOn)
 }
 
 // The friction and restitution of the contact between a resting disc and the ground, as ContactView tells.
-struct Pair {
+struct Mixed {
     real friction, restitution;
 };
-Pair mixed(WorldDef worldDef, const Material& upper, const Material& lower)
+Mixed mixed(WorldDef worldDef, const Material& upper, const Material& lower)
 {
     World world(worldDef);
     Body ground = world.createBody({.type = BodyType::Static});
@@ -198,7 +198,7 @@ TEST(Mixing, EveryRuleOfTheWorldGivesItsValue)
     for (const RuleCase& e : kRules) {
         WorldDef def;
         def.frictionMixing = def.restitutionMixing = e.rule;
-        const Pair pair = mixed(def, a, b);
+        const Mixed pair = mixed(def, a, b);
         EXPECT_NEAR(pair.friction, e.mixed, 1e-7) << "rule " << int(e.rule);
         EXPECT_NEAR(pair.restitution, e.mixed, 1e-7) << "rule " << int(e.rule);
     }
@@ -209,10 +209,10 @@ TEST(Mixing, OfTheDefaultsIsRootOfProductAndMaximum)
     TRACES("R3");
     const Material a{.friction = toReal(0.2), .restitution = toReal(0.3)};
     const Material b{.friction = toReal(0.8), .restitution = toReal(0.1)};
-    const Pair pair = mixed({}, a, b);
+    const Mixed pair = mixed({}, a, b);
     EXPECT_NEAR(pair.friction, 0.4, 1e-7);
     EXPECT_NEAR(pair.restitution, 0.3, 1e-7);
-    const Pair plain = mixed({}, {}, {});
+    const Mixed plain = mixed({}, {}, {});
     EXPECT_NEAR(plain.friction, 0.6, 1e-7);
     EXPECT_EQ(plain.restitution, real(0));
 }
@@ -231,7 +231,7 @@ TEST(Mixing, OfTwoRulesTheOneFurtherDownTheListIsTaken)
                              .frictionMixing = other.rule,
                              .restitutionMixing = one.rule};
             const RuleCase& taken = one.rule < other.rule ? other : one;
-            const Pair pair = mixed({}, a, b);
+            const Mixed pair = mixed({}, a, b);
             EXPECT_NEAR(pair.friction, taken.mixed, 1e-7) << int(one.rule) << " and " << int(other.rule);
             EXPECT_NEAR(pair.restitution, taken.mixed, 1e-7) << int(one.rule) << " and " << int(other.rule);
         }

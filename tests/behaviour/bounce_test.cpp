@@ -9,7 +9,7 @@
 namespace tamias2d::test {
 namespace {
 
-constexpr double kRadius = 0.5;
+constexpr double kBallRadius = 0.5;
 constexpr double kDrop = 5;  // height of the first fall, above where the ball would rest   [m]
 
 struct Ball {
@@ -18,10 +18,10 @@ struct Ball {
     double floor;  // height of the center at rest   [m]
 
     explicit Ball(double restitution, const WorldDef& def = {})
-        : world(def), floor(kRadius + restGapFor(world, 2 * kRadius))
+        : world(def), floor(kBallRadius + restGapFor(world, 2 * kBallRadius))
     {
         addGround(world);
-        body = addDisc(world, {0, floor + kDrop}, kRadius, {.restitution = restitution});
+        body = addDisc(world, {0, floor + kDrop}, kBallRadius, {.restitution = restitution});
     }
 
     /// How high it gets above where it would rest, as seen from any point of its flight [m].

@@ -12,7 +12,6 @@
 namespace tamias2d::test {
 namespace {
 
-constexpr double kExact = byPrecision(1e-12, 1e-5);
 constexpr double kRadius = 0.5;
 constexpr double kSpeed = 2;
 

@@ -12,8 +12,6 @@ namespace {
 
 using namespace test;
 
-constexpr double kGravity = 9.81;
-
 struct Load {
     int boxes;
     double ratio, allowed;  // [m]

@@ -10,8 +10,6 @@
 namespace tamias2d::test {
 namespace {
 
-constexpr double kExact = byPrecision(1e-12, 1e-5);
-
 // Steps until the first hit, and returns it.
 HitEvent firstHit(World& world)
 {

@@ -12,7 +12,6 @@
 namespace tamias2d::test {
 namespace {
 
-constexpr double kExact = byPrecision(1e-12, 1e-5);  // relative to the speeds that meet
 constexpr double kRestitutions[] = {0, 0.3, 0.8, 1};
 
 // A body of an impact: its outline, and how it flies until then.

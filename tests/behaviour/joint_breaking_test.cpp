@@ -14,7 +14,7 @@ namespace {
 
 using namespace test;
 
-constexpr double kGravity = 9.81, kMass = 2, kArm = 0.5;
+constexpr double kMass = 2, kArm = 0.5;
 constexpr double kWeight = kMass * kGravity, kMoment = kWeight * kArm;
 
 // A weight, what holds it, and by how much, as statics says.

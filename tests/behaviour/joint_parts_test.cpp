@@ -12,12 +12,12 @@ namespace {
 using namespace test;
 
 // Two bodies without gravity: one static at the origin, one of 1 kg, and 1 kg*m^2.
-struct Pair {
+struct Jointed {
     World world{weightless()};
     Body base = addDisc(world, {0, 0}, 0.1, {.type = BodyType::Static});
     Body mass;
 
-    explicit Pair(Position place = {1, 0}) : mass(addDisc(world, place, 0.1)) { mass.setMass({1, {}, 1}); }
+    explicit Jointed(Position place = {1, 0}) : mass(addDisc(world, place, 0.1)) { mass.setMass({1, {}, 1}); }
     Joint join(const JointKind& kind)
     {
         JointDef def;
@@ -69,7 +69,7 @@ protected:
 TEST_P(SpringOf, ADistanceSwingsAsItsFrequencySays)
 {
     TRACES("LC3", "IM1");
-    Pair pair({3, 0});
+    Jointed pair({3, 0});
     Joint joint = pair.join(DistanceJoint{.spring = spring(2)});
     expectSwing(pair.world, [&] { return joint.reading().position - 2; });
 }
@@ -77,7 +77,7 @@ TEST_P(SpringOf, ADistanceSwingsAsItsFrequencySays)
 TEST_P(SpringOf, ATurnSwingsAsItsFrequencySays)
 {
     TRACES("LC3", "IM2");
-    Pair pair({0, 0});
+    Jointed pair({0, 0});
     Joint joint = pair.join(RevoluteJoint{.spring = spring(-1)});
     expectSwing(pair.world, [&] { return joint.reading().position + 1; });
 }
@@ -85,7 +85,7 @@ TEST_P(SpringOf, ATurnSwingsAsItsFrequencySays)
 TEST_P(SpringOf, ASlideSwingsAsItsFrequencySays)
 {
     TRACES("LC3", "IM1");
-    Pair pair({0, 3});
+    Jointed pair({0, 3});
     Joint joint = pair.join(PrismaticJoint{.axis = vec(0, 2), .spring = spring(2)});
     expectSwing(pair.world, [&] { return joint.reading().position - 2; });
 }
@@ -93,7 +93,7 @@ TEST_P(SpringOf, ASlideSwingsAsItsFrequencySays)
 TEST_P(SpringOf, AWheelSwingsAsItsFrequencySays)
 {
     TRACES("LC3", "IM1");
-    Pair pair({0, 3});
+    Jointed pair({0, 3});
     Joint joint = pair.join(WheelJoint{.axis = vec(0, 0.5), .spring = spring(2)});
     expectSwing(pair.world, [&] { return joint.reading().position - 2; });
 }
@@ -101,7 +101,7 @@ TEST_P(SpringOf, AWheelSwingsAsItsFrequencySays)
 TEST_P(SpringOf, ARotarySpringSwingsAsItsFrequencySays)
 {
     TRACES("LC3", "IM2");
-    Pair pair({5, 0});
+    Jointed pair({5, 0});
     Joint joint = pair.join(RotaryJoint{.spring = spring(-1)});
     expectSwing(pair.world, [&] { return joint.reading().position + 1; });
 }
@@ -109,7 +109,7 @@ TEST_P(SpringOf, ARotarySpringSwingsAsItsFrequencySays)
 TEST_P(SpringOf, AMotorWithSpringsSwingsAsItsFrequencySays)
 {
     TRACES("LC3", "IM1");
-    Pair pair({1, 0});
+    Jointed pair({1, 0});
     pair.join(MotorJoint{.linear = spring(0), .angular = spring(0)});
     expectSwing(pair.world, [&] { return centerOf(pair.mass).x; });
 }
@@ -117,7 +117,7 @@ TEST_P(SpringOf, AMotorWithSpringsSwingsAsItsFrequencySays)
 TEST_P(SpringOf, ASoftWeldSwingsAsItsFrequencySays)
 {
     TRACES("LC3", "IM1");
-    Pair pair({1, 0});
+    Jointed pair({1, 0});
     pair.join(WeldJoint{.linear = spring(0), .angular = spring(0)});
     expectSwing(pair.world, [&] { return centerOf(pair.mass).x; });
 }
@@ -125,7 +125,7 @@ TEST_P(SpringOf, ASoftWeldSwingsAsItsFrequencySays)
 TEST_P(SpringOf, ASoftWeldTurnsAsItsFrequencySays)
 {
     TRACES("LC3", "IM2");
-    Pair pair({0, 0});
+    Jointed pair({0, 0});
     pair.mass.setTransform({0, 0}, 1);
     pair.join(WeldJoint{.linear = spring(0), .angular = spring(0)});
     expectSwing(pair.world, [&] { return angleDifference(pair.mass.angle(), 0); });
@@ -138,7 +138,7 @@ INSTANTIATE_TEST_SUITE_P(Joints, SpringOf,
 TEST(JointSpring, KeepsItsEnergyUndamped)
 {
     TRACES("LC3", "NFR2");
-    Pair pair({3, 0});
+    Jointed pair({3, 0});
     pair.mass.setLinearVelocity(vec(0, 2));  // around as well as to and fro
     pair.join(DistanceJoint{.spring = JointSpring{3, 0, 2}});
     const double start = pair.world.energy().total();
@@ -154,7 +154,7 @@ TEST(JointSpring, OfAnyFrequencyIsStable)
     TRACES("LC3", "R4");
     for (const double frequency : {30.0, 100.0, 1000.0, 1e6}) {
         for (const double ratio : {0.0, 1.0}) {
-            Pair pair({3, 0});
+            Jointed pair({3, 0});
             Joint joint =
                 pair.join(DistanceJoint{.spring = JointSpring{toReal(frequency), toReal(ratio), 2}});
             const double start = pair.world.energy().total();
@@ -169,7 +169,7 @@ TEST(JointSpring, OfAnyFrequencyIsStable)
 TEST(JointMotor, ReachesItsSpeedAtTheRateOfItsTorque)
 {
     TRACES("LC3", "DD13");
-    Pair pair({0, 0});
+    Jointed pair({0, 0});
     Joint joint = pair.join(RevoluteJoint{.motor = JointMotor{10, 5}});
     runSeconds(pair.world, 1);
     EXPECT_LT(relativeError(spinOf(pair.mass), 5), 0.01);  // 5 N*m on 1 kg*m^2 for 1 s
@@ -202,7 +202,7 @@ TEST(JointMotor, StallsAtItsForce)
 TEST(JointMotor, CanBeTurnedWhileItRuns)
 {
     TRACES("LC3", "R4");
-    Pair pair({0, 0});
+    Jointed pair({0, 0});
     Joint joint = pair.join(RevoluteJoint{.motor = JointMotor{3, 100}});
     runSeconds(pair.world, 1);
     EXPECT_NEAR(spinOf(pair.mass), 3, 1e-4);
@@ -219,7 +219,7 @@ TEST(JointLimits, HoldAtFiftyRadiansASecond)
 {
     TRACES("LC3", "DD6");
     for (const double range : {0.5, 2.0, 20.0}) {  // the last is more than three turns
-        Pair pair({0, 0});
+        Jointed pair({0, 0});
         Joint joint = pair.join(RevoluteJoint{.limits = JointLimits{toReal(-range / 2), toReal(range / 2)}});
         double over = 0;
         for (int i = 0; i < 90; ++i) {
@@ -286,7 +286,7 @@ TEST(JointReading, OfAHangingLoadIsWhatStaticsSays)
 TEST(TargetJoint, BringsAPointToItsPlaceAndNoFartherThanItsForce)
 {
     TRACES("LC3", "DD13");
-    Pair pair({1, 0});
+    Jointed pair({1, 0});
     Joint joint = pair.join(TargetJoint{.anchor = vec(0, 0), .target = {2, 1}, .angle = 0.5, .maxForce = 10});
     double fastest = 0;
     runSeconds(pair.world, 0.1, 60, 4, [&] { fastest = std::max(fastest, length(velocityOf(pair.mass))); });

@@ -10,8 +10,6 @@ namespace {
 
 using namespace test;
 
-constexpr double kGravity = kPendulumGravity;
-
 enum class Hung { ByPivot, ByRod };
 
 struct Pendulum : LevelPendulum {

@@ -11,7 +11,6 @@ namespace {
 
 using namespace test;
 
-constexpr double kGravity = 9.81;
 const double kRatios[] = {1, 10, 100, 1000};
 
 Body addPost(World& world, Position place = {0, 0})

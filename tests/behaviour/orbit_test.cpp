@@ -15,7 +15,7 @@ constexpr double kEccentricity = 0.5;
 constexpr double kLongAxis = 10;      // semi-major, of the distance    [m]
 
 // Two discs of 1 and 3 kg on ellipses about their common center, starting at the nearest point.
-struct Pair {
+struct Orbiters {
     World world;
     Body light, heavy;
     double g;  // of gravitation
@@ -27,7 +27,7 @@ struct Pair {
         return def;
     }
 
-    explicit Pair(DVec2 drift = {})
+    explicit Orbiters(DVec2 drift = {})
         : world(definition(kTwoPi * kTwoPi * kLongAxis * kLongAxis * kLongAxis / (kPeriod * kPeriod * 4))),
           g(static_cast<double>(world.definition().gravitationConstant))
     {
@@ -65,7 +65,7 @@ TEST(Gravitation, PullsAsNewtonSays)
 TEST(Gravitation, AnOrbitKeepsItsEnergyForAHundredPeriods)
 {
     TRACES("T3", "R5", "IM1", "DD15", "DD16", "GD1");
-    Pair pair;
+    Orbiters pair;
     const double start = pair.world.energy().total();
     const double angular = pair.world.momentum().angular;
     const double size = length(pair.light.momentum().linear) + length(pair.heavy.momentum().linear);
@@ -89,7 +89,7 @@ TEST(Gravitation, AnOrbitClosesAfterOnePeriodToSecondOrder)
     TRACES("T3", "R5", "IM1");
     double error[3] = {};
     for (const int i : {0, 1, 2}) {
-        Pair pair;
+        Orbiters pair;
         const Position start = pair.light.position();
         runSeconds(pair.world, kPeriod, 60, 2 << i);
         error[i] = length(pair.light.position() - start);
@@ -104,7 +104,7 @@ TEST(Gravitation, AnOrbitClosesAfterOnePeriodToSecondOrder)
 TEST(Gravitation, TheCommonCenterMovesOnALine)
 {
     TRACES("T2", "T3", "GD1");
-    Pair pair({1, -2});
+    Orbiters pair({1, -2});
     const auto center = [&] { return 0.25 * centerOf(pair.light) + 0.75 * centerOf(pair.heavy); };
     const DVec2 start = center();
     runSeconds(pair.world, 10 * kPeriod);

@@ -14,32 +14,31 @@ namespace {
 
 using namespace test;
 
-constexpr double kGravity = kPendulumGravity;
-
 double number(real x)
 {
     return static_cast<double>(x);
 }
 
-enum class Hung { ByRod, ByHinge };
-class OwnPendulum : public testing::TestWithParam<Hung> {};
+enum class OwnHung { ByRod, ByHinge };
+class OwnPendulum : public testing::TestWithParam<OwnHung> {};
 
 TEST_P(OwnPendulum, KeepsItsEnergyAndItsPeriodForAHundredSeconds)
 {
     TRACES("LC3", "IM1", "IM2");
     LevelPendulum p;
-    Joint joint = GetParam() == Hung::ByRod ? p.world.createJoint(OwnRod{}, p.pivot, p.bob)
-                                            : p.world.createJoint(OwnHinge{{}, vec(-1, 0)}, p.pivot, p.bob);
+    Joint joint = GetParam() == OwnHung::ByRod
+                      ? p.world.createJoint(OwnRod{}, p.pivot, p.bob)
+                      : p.world.createJoint(OwnHinge{{}, vec(-1, 0)}, p.pivot, p.bob);
     const Swings swings = swingForAHundredSeconds(p);
     EXPECT_LT(swings.mostEnergy / kGravity, byPrecision(0.001, 0.005));
     EXPECT_GT(swings.count, 40);
-    EXPECT_LT(relativeError(swings.period, p.exactPeriod(GetParam() == Hung::ByHinge)), 1e-4);
+    EXPECT_LT(relativeError(swings.period, p.exactPeriod(GetParam() == OwnHung::ByHinge)), 1e-4);
     EXPECT_LT(number(joint.reading().error), 1e-5);
 }
 
-INSTANTIATE_TEST_SUITE_P(Both, OwnPendulum, testing::Values(Hung::ByRod, Hung::ByHinge),
+INSTANTIATE_TEST_SUITE_P(Both, OwnPendulum, testing::Values(OwnHung::ByRod, OwnHung::ByHinge),
                          [](const auto& given) {
-                             return std::string(given.param == Hung::ByRod ? "ByRod" : "ByHinge");
+                             return std::string(given.param == OwnHung::ByRod ? "ByRod" : "ByHinge");
                          });
 
 TEST(OwnJoints, ARodMovesAsTheBuiltInOneDoes)

@@ -4,37 +4,50 @@
 # One source, the same bits: builds probe.cpp and the core by several compilers, switches and processors, and
 # compares the state hashes that each build prints with tests/golden/hashes.txt.
 #
-#   matrix.sh [--full] [--update] [FOLDER]
-#     --full    every compiler x -O0 to -O3 x SSE2 and AVX2, and aarch64 at -O0 to -O3; else a selection
-#     --update  write the golden file from the first build, then compare all others with it
+#   matrix.sh [--full] [--update] [--built F32 F64] [FOLDER]
+#     --full    every compiler x -O0 to -O3 x SSE2 and AVX2, and aarch64 at -O0 to -O3, both precisions of each;
+#               else a selection of these that has each of them once: compilers and processors in both precisions
+#     --update  write the golden file from g++ -O3, then compare all with it
+#     --built   the probe of each precision as it is linked with the library, run with lanes of each width: takes
+#               the place of g++ -O3, or whatever has built it, which is then not built again
 #     FOLDER    to build in; else a temporary one
 # Exit 0: all agree. 1: some build failed or differs. A compiler or emulator that is missing is a failure.
 set -uo pipefail
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/../.." && pwd)
 golden=$root/tests/golden/hashes.txt
 
-full= update= folder=
-for word in "$@"; do
-    case $word in
+full= update= folder= built=()
+while [ $# -gt 0 ]; do
+    case $1 in
         --full) full=yes ;;
         --update) update=yes ;;
-        -*) echo "matrix.sh: no option $word" >&2; exit 2 ;;
-        *) folder=$word ;;
+        --built) built=("${2:?}" "${3:?}"); shift 2 ;;
+        -*) echo "matrix.sh: no option $1" >&2; exit 2 ;;
+        *) folder=$1 ;;
     esac
+    shift
 done
 [ -n "$folder" ] || { folder=$(mktemp -d); trap 'rm -rf "$folder"' EXIT; }
 mkdir -p "$folder"
 
-# compiler:optimisation:instructions
+# compiler:optimisation:instructions:precision
+library="g++:3:sse2"
 if [ -n "$full" ]; then
     builds=$(for o in 0 1 2 3; do
-        for isa in sse2 avx2; do printf '%s\n' "g++:$o:$isa" "clang++-22:$o:$isa"; done
-        echo "aarch64-linux-gnu-g++:$o:neon"
+        for isa in sse2 avx2; do printf '%s\n' "g++:$o:$isa:"{f32,f64} "clang++-22:$o:$isa:"{f32,f64}; done
+        echo "aarch64-linux-gnu-g++:$o:neon:"{f32,f64}
     done)
 elif [ "$(uname -m)" = x86_64 ]; then
-    builds="g++:0:sse2 g++:3:avx2 clang++-22:1:avx2 clang++-22:3:sse2 aarch64-linux-gnu-g++:1:neon"
+    builds="aarch64-linux-gnu-g++:2:neon:f64 aarch64-linux-gnu-g++:1:neon:f32
+            clang++-22:0:sse2:f64 clang++-22:3:avx2:f32 g++:1:avx2:f64"
 else
-    builds="g++:0:native g++:3:native clang++-22:2:native"
+    library="g++:3:native"
+    builds="g++:0:native:f32 clang++-22:2:native:f64"
+fi
+if [ ${#built[@]} -gt 0 ]; then
+    builds="built:lanes:scalar built:lanes:16 built:lanes:32 built:lanes:64 $builds"
+else
+    builds="$library:f32 $library:f64 $(printf '%s\n' $builds | grep -v "^$library:")"
 fi
 
 # The whole core and the probe as one translation unit: quick to build at any optimisation.
@@ -47,10 +60,14 @@ for layer in $layers; do
 done >"$unity"
 echo "#include \"$root/tests/determinism/probe.cpp\"" >>"$unity"
 
-# Builds and runs one line of the matrix, both precisions; its hashes go to FOLDER/NAME.txt.
+# Builds and runs one line of the matrix; its hashes go to FOLDER/NAME.txt.
 run_build() {
-    local compiler optimisation isa name=${1//:/_}
-    IFS=: read -r compiler optimisation isa <<<"$1"
+    local compiler optimisation isa precision name=${1//:/_} program
+    IFS=: read -r compiler optimisation isa precision <<<"$1"
+    if [ "$compiler" = built ]; then  # the third word is the width of lanes
+        for program in $probes; do TAMIAS_LANES=$isa "$program" || return 1; done >"$folder/$name.txt" 2>"$folder/$name.log"
+        return
+    fi
     local flags=(-std=c++20 -ffp-contract=off "-O$optimisation" "-I$root/include" "-I$root/src" -Wno-psabi -pthread) runner=()
     case $isa in
         sse2 | avx2) flags+=("-m$isa") ;;
@@ -61,32 +78,41 @@ run_build() {
         clang*:avx2) flags+=(-mfma) ;;
         g++*:avx2) flags+=(-mfma -mno-fma) ;;
     esac
-    for precision in f32 f64; do
-        local program=$folder/$name.$precision define=()
-        [ $precision = f64 ] && define=(-DTAMIAS_F64)
-        "$compiler" "${flags[@]}" "${define[@]}" "$unity" -o "$program" 2>"$program.log" || return 1
-        "${runner[@]}" "$program" || return 1
-    done >"$folder/$name.txt"
+    [ "$precision" = f32 ] || flags+=(-DTAMIAS_F64)
+    program=$folder/$name
+    "$compiler" "${flags[@]}" "$unity" -o "$program" 2>"$program.log" || return 1
+    "${runner[@]}" "$program" >"$program.txt" || return 1
 }
 export -f run_build
-export root folder unity
+probes=${built[*]}
+export root folder unity probes
 
-first=$(set -- $builds; echo "$1")
 if [ -n "$update" ]; then
-    run_build "$first" || { echo "$first: FAILED"; cat "$folder"/*.log | head -n 20; exit 1; }
-    cp "$folder/${first//:/_}.txt" "$golden"
+    first=$(printf '%s\n' $builds | if [ -n "$probes" ]; then head -n 1; else head -n 2; fi)
+    for build in $first; do
+        run_build "$build" || { echo "$build: FAILED"; cat "$folder"/*.log | head -n 20; exit 1; }
+    done
+    cat $(printf "$folder/%s.txt " ${first//:/_}) >"$golden"
 fi
 
 printf '%s\n' $builds | xargs -P "$(nproc)" -I{} bash -c 'run_build {} || rm -f "$folder/$(tr : _ <<<{}).txt"'
+
+# The golden hashes of the precision of a build; of both, if it has both.
+hashes_of() {
+    case $1 in
+        *:f32 | *:f64) grep "^${1##*:} " "$golden" ;;
+        *) cat "$golden" ;;
+    esac
+}
 
 failed=0
 for build in $builds; do
     name=${build//:/_}
     if [ ! -e "$folder/$name.txt" ]; then
         echo "$build: does not build or run"
-        head -n 20 "$folder/$name".*.log
+        head -n 20 "$folder/$name.log"
         failed=1
-    elif ! diff -u "$golden" "$folder/$name.txt" >"$folder/$name.diff"; then
+    elif ! diff -u <(hashes_of "$build") "$folder/$name.txt" >"$folder/$name.diff"; then
         echo "$build: other bits than the golden ones"
         cat "$folder/$name.diff"
         failed=1

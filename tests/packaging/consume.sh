@@ -28,7 +28,8 @@ case $way in
     find_package | fetch_content)
         rm -rf "$work/$way"
         cmake -S "$source/tests/packaging/$way" -B "$work/$way" -G Ninja -DCMAKE_PREFIX_PATH="$prefix" \
-            -DPROGRAM="$work/readme/program.cpp" -DTAMIAS_SOURCE="$source" -DCMAKE_BUILD_TYPE=Release
+            -DPROGRAM="$work/readme/program.cpp" -DTAMIAS_SOURCE="$source" -DCMAKE_BUILD_TYPE=Release \
+            -DCMAKE_UNITY_BUILD=ON -DCMAKE_UNITY_BUILD_BATCH_SIZE=48
         cmake --build "$work/$way" --target first
         same "$work/readme/expected.txt" "$work/$way/first"
         if [ $way = find_package ]; then

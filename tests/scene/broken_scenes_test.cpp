@@ -29,7 +29,7 @@ std::string withBody(const std::string& body)
     return "{\"tamias2d\": 1,\n \"bodies\": [\n {" + body + "}]}";
 }
 
-std::string messageOf(const std::string& text)
+std::string messageOfScene(const std::string& text)
 {
     try {
         readScene(text, "s.json");
@@ -43,7 +43,7 @@ template <class Wrap>
 void expectAll(const std::vector<Broken>& table, Wrap wrap)
 {
     for (const Broken& broken : table) {
-        EXPECT_EQ(messageOf(wrap(broken.text)), std::string("s.json:") + broken.message) << broken.text;
+        EXPECT_EQ(messageOfScene(wrap(broken.text)), std::string("s.json:") + broken.message) << broken.text;
     }
 }
 
@@ -73,7 +73,7 @@ TEST(BrokenScene, TextThatIsNoJsonIsToldByLineAndColumn)
              "3: /run/rate: must not be there twice"},
         },
         asItIs);
-    EXPECT_EQ(messageOf("[" + std::string(100000, '[')),
+    EXPECT_EQ(messageOfScene("[" + std::string(100000, '[')),
               "s.json:1:33: must not be nested deeper than 32 levels");
 }
 
@@ -188,7 +188,7 @@ TEST(BrokenScene, GeometryThatTheLibraryRefusesIsToldAtItsPlace)
         {"\"circle\": {},\n \"density\": -1", "s.json:4: /bodies/0/shapes/0/density = -1: must be "},
     };
     for (const auto& [text, start] : table) {
-        const std::string message = messageOf(withShape(text));
+        const std::string message = messageOfScene(withShape(text));
         EXPECT_TRUE(message.starts_with(start)) << text << "\n  " << message;
     }
 }
@@ -260,7 +260,7 @@ TEST(BrokenScene, AnyDamageIsAnErrorOrAnotherSceneAndNothingWorse)
         {"polygon": {"vertices": [[0, 0], [1, 0], [0, 1]]}, "filter": {"mask": 18446744073709551615}},
         {"capsule": {"a": [0, 0], "b": [1, 0]}, "frictionMixing": "maximum"}, {"regularPolygon": {"count": 5}}]}],
         "laws": [{"law": "springTo", "point": [0, 0], "stiffness": 1, "body": 0}]})";
-    ASSERT_EQ(messageOf(good), "(no error)");
+    ASSERT_EQ(messageOfScene(good), "(no error)");
 
     // One to three bytes replaced, removed or doubled, by numbers that are the same everywhere (MINSTD).
     std::uint32_t state = 1;
@@ -286,7 +286,7 @@ TEST(BrokenScene, AnyDamageIsAnErrorOrAnotherSceneAndNothingWorse)
                 break;
             }
         }
-        errors += messageOf(text) == "(no error)" ? 0 : 1;  // anything but a SceneError ends the test
+        errors += messageOfScene(text) == "(no error)" ? 0 : 1;  // anything but a SceneError ends the test
     }
     EXPECT_GT(errors, 3000);
     EXPECT_LT(errors, 4000);
@@ -296,7 +296,7 @@ TEST(BrokenScene, ANumberTooLargeForFloatIsRefusedInFloatOnly)
 {
     TRACES("R4", "ADR2");
     const std::string text = "{\"tamias2d\": 1, \"world\": {\"gravity\": [0, 1e39]}}";
-    EXPECT_EQ(messageOf(text),
+    EXPECT_EQ(messageOfScene(text),
               kDouble ? "(no error)"
                       : "s.json:1: /world/gravity/1 = 1e+39: must be finite in single precision, "
                         "that is within 3.4e38 of zero");

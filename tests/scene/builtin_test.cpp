@@ -15,7 +15,7 @@
 namespace tamias2d::test {
 namespace {
 
-std::string messageOf(const std::string& specification)
+std::string messageOfBuiltin(const std::string& specification)
 {
     try {
         makeBuiltinScene(specification);
@@ -50,7 +50,7 @@ TEST(BuiltinScenes, AreSortedByNameWithADocumentedDefaultForEveryParameter)
         for (const BuiltinParameter& p : scene.parameters) {
             EXPECT_FALSE(p.doc.empty()) << scene.name << "." << p.name;
             if (p.standard == "auto") continue;
-            EXPECT_EQ(messageOf(scene.name + ":" + p.name + "=" + p.standard), "(no error)");
+            EXPECT_EQ(messageOfBuiltin(scene.name + ":" + p.name + "=" + p.standard), "(no error)");
         }
     }
 }
@@ -74,7 +74,7 @@ TEST(BuiltinScenes, WrongParametersAreNamed)
          "tiles:body=ball: body = ball: must be one of box, roundedBox, capsule, circle, hexagon, disc"},
         {"tiles:wall=yes", "tiles:wall=yes: wall = yes: must be true or false"},
     };
-    for (const auto& [specification, message] : table) EXPECT_EQ(messageOf(specification), message);
+    for (const auto& [specification, message] : table) EXPECT_EQ(messageOfBuiltin(specification), message);
 }
 
 TEST(BuiltinScenes, ParametersShowInTheWorld)

@@ -17,6 +17,14 @@ constexpr double byPrecision(double inDouble, double inFloat)
     return kDouble ? inDouble : inFloat;
 }
 
+/// What a few operations round, relative to their numbers; and what is left of that after ten seconds of
+/// steps.
+inline constexpr double kExact = byPrecision(1e-12, 1e-5);
+inline constexpr double kTenSeconds = 10;
+inline constexpr double kExactAfterTenSeconds = byPrecision(1e-12, 1e-4);
+
+inline constexpr double kGravity = 9.81;  ///< [m/s^2] downwards, of a world that is told nothing else
+
 /// A double as the real of this build.
 constexpr real toReal(double x)
 {

@@ -7,7 +7,6 @@
 // A pendulum released from level, and what its closed form says.
 namespace tamias2d::test {
 
-inline constexpr double kPendulumGravity = 9.81;              // [m/s^2]
 inline constexpr double kQuarterPeriod = 1.8540746773013719;  // K(sin 45 degrees): released from level
 
 /// A disc of 1 kg, its center 1 m from a static pivot; nothing ties them yet.
@@ -20,7 +19,7 @@ struct LevelPendulum {
     double exactPeriod(bool turns) const
     {
         const double turning = turns ? static_cast<double>(bob.inertia()) : 0;
-        return 4 * kQuarterPeriod * std::sqrt((1 + turning) / kPendulumGravity);
+        return 4 * kQuarterPeriod * std::sqrt((1 + turning) / kGravity);
     }
 };
 

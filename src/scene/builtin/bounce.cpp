@@ -6,13 +6,13 @@ namespace tamias2d::inline TAMIAS_PRECISION::scene {
 
 namespace {
 
-void prepare(const Parameters& p, WorldDef&, SceneInfo& info)
+void prepareBounce(const Parameters& p, WorldDef&, SceneInfo& info)
 {
     const double height = static_cast<double>(p.number("height"));
     info.view = Aabb{{-height / 2 - 2, -1.5}, {height / 2 + 2, height + 2}};
 }
 
-void build(const Parameters& p, World& world)
+void buildBounce(const Parameters& p, World& world)
 {
     const Material material = surface(0, p.number("restitution"));
     addGround(world, 0, 100, material);
@@ -31,8 +31,8 @@ Builtin bounceScene()
              "A ball of radius 0.5 m falls and bounces: to C_R^2 of the height, and on.",
              {{"height", Number, "5", 0, 1000, {}, "it falls through [m]"},
               {"restitution", Number, "0.8", 0, 1, {}, "C_R [1]"}}},
-            prepare,
-            build};
+            prepareBounce,
+            buildBounce};
 }
 
 }  // namespace tamias2d::inline TAMIAS_PRECISION::scene

@@ -6,7 +6,7 @@ namespace tamias2d::inline TAMIAS_PRECISION::scene {
 
 namespace {
 
-void prepare(const Parameters& p, WorldDef& def, SceneInfo& info)
+void prepareCradle(const Parameters& p, WorldDef& def, SceneInfo& info)
 {
     def.gravity = {};
     const double balls = p.integer("balls");
@@ -14,7 +14,7 @@ void prepare(const Parameters& p, WorldDef& def, SceneInfo& info)
     info.view = Aabb{{-4, -3}, {balls + 4, 3}};
 }
 
-void build(const Parameters& p, World& world)
+void buildCradle(const Parameters& p, World& world)
 {
     // An odd distance, so that the impact falls into the midst of a sub-step.
     constexpr double kRunUp = 1.237;  // [m]
@@ -39,8 +39,8 @@ Builtin cradleScene()
              {{"balls", Integer, "5", 2, 200, {}, "in all, strikers included"},
               {"strikers", Integer, "1", 1, 100, {}, "how many strike"},
               {"speed", Number, "2", 0, 1000, {}, "of the strikers [m/s]"}}},
-            prepare,
-            build};
+            prepareCradle,
+            buildCradle};
 }
 
 }  // namespace tamias2d::inline TAMIAS_PRECISION::scene

@@ -6,13 +6,13 @@ namespace tamias2d::inline TAMIAS_PRECISION::scene {
 
 namespace {
 
-void prepare(const Parameters& p, WorldDef&, SceneInfo& info)
+void prepareDominoes(const Parameters& p, WorldDef&, SceneInfo& info)
 {
     const double length = p.integer("count") * static_cast<double>(p.number("spacing"));
     info.view = Aabb{{-2, -1.5}, {length + 2, 3}};
 }
 
-void build(const Parameters& p, World& world)
+void buildDominoes(const Parameters& p, World& world)
 {
     const int count = p.integer("count");
     const double spacing = static_cast<double>(p.number("spacing"));
@@ -42,8 +42,8 @@ Builtin dominoesScene()
              {{"count", Integer, "30", 1, 1000, {}, "how many"},
               {"spacing", Number, "0.6", 0.25, 10, {}, "from middle to middle [m]"},
               {"push", Number, "1.5", 0, 10, {}, "how fast the first one turns at the start [rad/s]"}}},
-            prepare,
-            build};
+            prepareDominoes,
+            buildDominoes};
 }
 
 }  // namespace tamias2d::inline TAMIAS_PRECISION::scene

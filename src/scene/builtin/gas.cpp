@@ -17,7 +17,7 @@ int gridSide(const Parameters& p)
     return side;
 }
 
-void prepare(const Parameters& p, WorldDef& def, SceneInfo& info)
+void prepareGas(const Parameters& p, WorldDef& def, SceneInfo& info)
 {
     def.gravity = {};
     const double half = gridSide(p) / 2.0;
@@ -36,7 +36,7 @@ void addWalls(World& world, real side, const Material& material)
     addBody(world, "right wall", BodyType::Static, {middle, 0}, upright, material);
 }
 
-void build(const Parameters& p, World& world)
+void buildGas(const Parameters& p, World& world)
 {
     const Material elastic = surface(0, 1);
     const int side = gridSide(p);
@@ -73,8 +73,8 @@ Builtin gasScene()
           {"boxes", Integer, "50", 0, 10000, {}, "how many, of 0.6 m by 0.4 m"},
           {"speed", Number, "3", 0, 1000, {}, "fastest along each axis [m/s]; as a number, of spins [rad/s]"},
           {"seed", Integer, "7", 0, 1e9, {}, "of the velocities"}}},
-        prepare,
-        build};
+        prepareGas,
+        buildGas};
 }
 
 }  // namespace tamias2d::inline TAMIAS_PRECISION::scene

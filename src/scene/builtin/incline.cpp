@@ -11,13 +11,13 @@ double slope(const Parameters& p)
     return static_cast<double>(p.number("degrees")) * kPi / 180;
 }
 
-void prepare(const Parameters&, WorldDef&, SceneInfo& info)
+void prepareIncline(const Parameters&, WorldDef&, SceneInfo& info)
 {
     info.seconds = 5;
     info.view = Aabb{{-30, -20}, {10, 10}};
 }
 
-void build(const Parameters& p, World& world)
+void buildIncline(const Parameters& p, World& world)
 {
     const double angle = slope(p);
     const SinCos turn = sinCos(angle);
@@ -43,8 +43,8 @@ Builtin inclineScene()
              {{"degrees", Number, "30", 0, 80, {}, "of the slope [degrees]"},
               {"friction", Number, "0.3", 0, 10, {}, "of both [1]"},
               {"body", Choice, "box", 0, 0, {"box", "disc"}, "what is on it"}}},
-            prepare,
-            build};
+            prepareIncline,
+            buildIncline};
 }
 
 }  // namespace tamias2d::inline TAMIAS_PRECISION::scene

@@ -17,7 +17,7 @@ double gravitationFor(double period)
     return 4 * kPi * kPi * kAxis * kAxis * kAxis / (period * period * (kHeavy + kLight));
 }
 
-void prepare(const Parameters& p, WorldDef& def, SceneInfo& info)
+void prepareOrbit(const Parameters& p, WorldDef& def, SceneInfo& info)
 {
     const double period = static_cast<double>(p.number("period"));
     def.gravity = {};
@@ -26,7 +26,7 @@ void prepare(const Parameters& p, WorldDef& def, SceneInfo& info)
     info.view = Aabb{{-15, -10}, {10, 10}};
 }
 
-void build(const Parameters& p, World& world)
+void buildOrbit(const Parameters& p, World& world)
 {
     const double eccentricity = static_cast<double>(p.number("eccentricity"));
     const double total = kHeavy + kLight;
@@ -54,8 +54,8 @@ Builtin orbitScene()
              "Two bodies that attract each other by universal gravitation circle their common center.",
              {{"eccentricity", Number, "0.5", 0, 0.9, {}, "0 is a circle [1]"},
               {"period", Number, "5", 0.1, 1e4, {}, "of one turn [s]"}}},
-            prepare,
-            build};
+            prepareOrbit,
+            buildOrbit};
 }
 
 }  // namespace tamias2d::inline TAMIAS_PRECISION::scene

@@ -8,14 +8,14 @@ namespace tamias2d::inline TAMIAS_PRECISION::scene {
 
 namespace {
 
-void prepare(const Parameters& p, WorldDef&, SceneInfo& info)
+void preparePendulums(const Parameters& p, WorldDef&, SceneInfo& info)
 {
     const double balls = p.integer("balls"), length = static_cast<double>(p.number("length"));
     info.seconds = 20;
     info.view = Aabb{{-length - 1, -1.5}, {balls + length, length + 1}};
 }
 
-void build(const Parameters& p, World& world)
+void buildPendulums(const Parameters& p, World& world)
 {
     const double length = static_cast<double>(p.number("length"));
     const double speed = static_cast<double>(p.number("speed"));
@@ -57,8 +57,8 @@ Builtin pendulumsScene()
            100,
            {},
            "at which they strike; at most that of a fall from level [m/s]"}}},
-        prepare,
-        build};
+        preparePendulums,
+        buildPendulums};
 }
 
 }  // namespace tamias2d::inline TAMIAS_PRECISION::scene

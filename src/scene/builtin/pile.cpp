@@ -14,13 +14,13 @@ double wallHeight(const Parameters& p)
     return 10 + 2.4 * (p.integer("count") / kColumns);
 }
 
-void prepare(const Parameters& p, WorldDef&, SceneInfo& info)
+void preparePile(const Parameters& p, WorldDef&, SceneInfo& info)
 {
     info.seconds = 20;
     info.view = Aabb{{-7, -1.5}, {7, minimum(wallHeight(p), 18.0)}};
 }
 
-void build(const Parameters& p, World& world)
+void buildPile(const Parameters& p, World& world)
 {
     const Material material = surface(p.number("friction"), p.number("restitution"));
     const std::string kinds = p.choice("shapes");
@@ -57,8 +57,8 @@ Builtin pileScene()
               {"restitution", Number, "0", 0, 1, {}, "C_R of everything [1]"},
               {"friction", Number, "0.5", 0, 10, {}, "of everything [1]"},
               {"seed", Integer, "1", 0, 1e9, {}, "of sizes, places and angles"}}},
-            prepare,
-            build};
+            preparePile,
+            buildPile};
 }
 
 }  // namespace tamias2d::inline TAMIAS_PRECISION::scene

@@ -8,13 +8,13 @@ namespace {
 
 constexpr double kSpacing = 1.05;  // from center to center along a row   [m]
 
-void prepare(const Parameters& p, WorldDef&, SceneInfo& info)
+void preparePyramid(const Parameters& p, WorldDef&, SceneInfo& info)
 {
     const double base = p.integer("base");
     info.view = Aabb{{-0.55 * base - 2, -1.5}, {0.55 * base + 2, base + 2}};
 }
 
-void build(const Parameters& p, World& world)
+void buildPyramid(const Parameters& p, World& world)
 {
     const int base = p.integer("base");
     const double gap = restGap(world, 1);
@@ -37,8 +37,8 @@ Builtin pyramidScene()
              "A pyramid of boxes",
              "Rows of boxes, each row one shorter than the one below.",
              {{"base", BuiltinParameterType::Integer, "20", 1, 150, {}, "boxes in the lowest row"}}},
-            prepare,
-            build};
+            preparePyramid,
+            buildPyramid};
 }
 
 }  // namespace tamias2d::inline TAMIAS_PRECISION::scene

@@ -6,14 +6,14 @@ namespace tamias2d::inline TAMIAS_PRECISION::scene {
 
 namespace {
 
-void prepare(const Parameters& p, WorldDef&, SceneInfo& info)
+void prepareStack(const Parameters& p, WorldDef&, SceneInfo& info)
 {
     const double height = p.integer("boxes") * static_cast<double>(p.number("size"));
     const double x = static_cast<double>(p.number("x"));
     info.view = Aabb{{x - 0.4 * height - 3, -1.5}, {x + 0.4 * height + 3, height + 2}};
 }
 
-void build(const Parameters& p, World& world)
+void buildStack(const Parameters& p, World& world)
 {
     const double size = static_cast<double>(p.number("size"));
     const double gap =
@@ -44,8 +44,8 @@ Builtin stackScene()
               {"offset", Number, "0", 0, 10, {}, "furthest random shift to a side [m]"},
               {"seed", Integer, "1", 0, 1e9, {}, "of the shifts"},
               {"x", Number, "0", -1e8, 1e8, {}, "where the stack stands [m]"}}},
-            prepare,
-            build};
+            prepareStack,
+            buildStack};
 }
 
 }  // namespace tamias2d::inline TAMIAS_PRECISION::scene

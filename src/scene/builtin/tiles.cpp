@@ -32,7 +32,7 @@ Glider gliderOf(const std::string& name)
     return {makeBox(1, 1), 0.5, 1};
 }
 
-void prepare(const Parameters& p, WorldDef&, SceneInfo& info)
+void prepareTiles(const Parameters& p, WorldDef&, SceneInfo& info)
 {
     const double speed = maximum(static_cast<double>(p.number("speed")), 0.1);
     info.seconds = minimum(1.2 * p.integer("count") / speed, 600.0);
@@ -71,7 +71,7 @@ void addTiles(const Parameters& p, World& world, const Material& material)
     }
 }
 
-void build(const Parameters& p, World& world)
+void buildTiles(const Parameters& p, World& world)
 {
     const Glider glider = gliderOf(p.choice("body"));
     // What glides meets no friction; what rolls needs it to go on rolling.
@@ -112,8 +112,8 @@ Builtin tilesScene()
               {"step", Number, "0", -0.9, 0.9, {}, "how much higher the second half lies [m]"},
               {"wall", Switch, "true", 0, 0, {}, "a wall stands at the end"},
               {"seed", Integer, "3", 0, 1e9, {}, "of the shifts"}}},
-            prepare,
-            build};
+            prepareTiles,
+            buildTiles};
 }
 
 }  // namespace tamias2d::inline TAMIAS_PRECISION::scene

@@ -16,7 +16,7 @@ double chainOf(const Parameters& p)
     return p.integer("links") * kLink;
 }
 
-void prepare(const Parameters& p, WorldDef&, SceneInfo& info)
+void prepareWrecker(const Parameters& p, WorldDef&, SceneInfo& info)
 {
     const double reach = chainOf(p) + 2 * kBall;
     info.seconds = 10;
@@ -44,7 +44,7 @@ void hangChain(const Parameters& p, World& world)
          chainOf(p));
 }
 
-void build(const Parameters& p, World& world)
+void buildWrecker(const Parameters& p, World& world)
 {
     addGround(world, 0, 200, surface(real(0.6)));
     hangChain(p, world);
@@ -68,8 +68,8 @@ Builtin wreckerScene()
               {"load", Number, "500", 1, 10000, {}, "mass of the ball over that of a link [1]"},
               {"rows", Integer, "8", 0, 30, {}, "of the wall"},
               {"columns", Integer, "2", 1, 10, {}, "of the wall"}}},
-            prepare,
-            build};
+            prepareWrecker,
+            buildWrecker};
 }
 
 }  // namespace tamias2d::inline TAMIAS_PRECISION::scene

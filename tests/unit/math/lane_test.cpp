@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "math/lane_rows.hpp"
+#include "support/same_bits.hpp"
 #include "support/traces.hpp"
 
 #include <tamias2d/math/scalar.hpp>
@@ -13,13 +14,9 @@
 namespace tamias2d {
 namespace {
 
-constexpr real kInfinity = std::numeric_limits<real>::infinity();
+using test::sameBits;
 
-// Equal in all bits; two NaN count as equal.
-bool sameBits(real a, real b)
-{
-    return (std::isnan(a) && std::isnan(b)) || (a == b && std::signbit(a) == std::signbit(b));
-}
+constexpr real kInfinity = std::numeric_limits<real>::infinity();
 
 // Numbers of all kinds, one to each lane.
 template <int W>

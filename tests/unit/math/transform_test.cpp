@@ -10,7 +10,7 @@
 namespace tamias2d::test {
 namespace {
 
-constexpr double kTolerance = 8 * static_cast<double>(std::numeric_limits<real>::epsilon());
+constexpr double kFewRoundings = 8 * static_cast<double>(std::numeric_limits<real>::epsilon());
 
 TEST(Vectors, ThePerpendicularIsAQuarterTurnCounterClockwise)
 {
@@ -28,8 +28,8 @@ TEST(Transforms, GoingToTheWorldAndBackChangesNothing)
         const Transform t = Transform::at({3, -7}, angle);
         const Vec2 local = {real(1.5), real(-0.25)};
         const Vec2 back = toLocal(t, toWorld(t, local));
-        EXPECT_NEAR(double(back.x), double(local.x), kTolerance) << angle;
-        EXPECT_NEAR(double(back.y), double(local.y), kTolerance) << angle;
+        EXPECT_NEAR(double(back.x), double(local.x), kFewRoundings) << angle;
+        EXPECT_NEAR(double(back.y), double(local.y), kFewRoundings) << angle;
     }
 }
 
@@ -37,8 +37,8 @@ TEST(Transforms, TurnCounterClockwise)
 {
     TRACES("A4");
     const Position p = toWorld(Transform::at({10, 20}, kPi / 2), {1, 0});
-    EXPECT_NEAR(p.x, 10, kTolerance);
-    EXPECT_NEAR(p.y, 21, kTolerance);
+    EXPECT_NEAR(p.x, 10, kFewRoundings);
+    EXPECT_NEAR(p.y, 21, kFewRoundings);
 }
 
 TEST(Transforms, KeepTheirAngleInOneTurn)

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "narrowphase/manifold.hpp"
+#include "support/convex.hpp"
 #include "support/traces.hpp"
 
 #include <gtest/gtest.h>
@@ -11,12 +12,11 @@
 namespace tamias2d {
 namespace {
 
-constexpr double kTolerance = std::is_same_v<real, double> ? 1e-12 : 2e-5;  // rounding at a few meters
+using test::convexOf;
 
-Convex convexOf(const Geometry& geometry)
-{
-    return makeConvex(geometry, {}, {}, {});
-}
+constexpr double kDistanceTolerance =
+    std::is_same_v<real, double> ? 1e-12 : 2e-5;  // rounding at a few meters
+
 Pose poseAt(double x, double y, double angle)
 {
     return {{static_cast<real>(x), static_cast<real>(y)}, Rot::ofAngle(angle)};
@@ -46,12 +46,12 @@ double distanceByDefinition(const PlacedCore& a, const PlacedCore& b)
     return least;
 }
 
-const Geometry kShapes[] = {Circle{{}, real(0.5)},
-                            Capsule{{real(-0.6), 0}, {real(0.6), real(0.1)}, real(0.2)},
-                            Segment{{-1, 0}, {1, real(0.2)}, 0},
-                            makeBox(1, real(0.6)),
-                            makeBox(1, 1, real(0.1)),
-                            makeRegularPolygon(7, real(0.8))};
+const Geometry kCores[] = {Circle{{}, real(0.5)},
+                           Capsule{{real(-0.6), 0}, {real(0.6), real(0.1)}, real(0.2)},
+                           Segment{{-1, 0}, {1, real(0.2)}, 0},
+                           makeBox(1, real(0.6)),
+                           makeBox(1, 1, real(0.1)),
+                           makeRegularPolygon(7, real(0.8))};
 
 // Lanes reckon with several faces and vertices at once.
 TEST(Separation, OfFacesHasTheBitsOfEachFaceAlone)
@@ -61,8 +61,7 @@ TEST(Separation, OfFacesHasTheBitsOfEachFaceAlone)
     std::uniform_real_distribution<double> place(-3, 3), turn(0, kTwoPi);
     for (int trial = 0; trial < 4000; ++trial) {
         const int corners = 3 + static_cast<int>(random() % 14);
-        const Convex a = convexOf(makeRegularPolygon(corners, real(0.7))),
-                     b = convexOf(kShapes[random() % 6]);
+        const Convex a = convexOf(makeRegularPolygon(corners, real(0.7))), b = convexOf(kCores[random() % 6]);
         const Pose poseA = poseAt(place(random), place(random), turn(random));
         const Pose poseB = poseAt(place(random), place(random), turn(random));
         const PlacedCore coreA(a, poseA), coreB(b, poseB);
@@ -89,7 +88,7 @@ TEST(Separation, OfShapesApartIsTheDistanceOfTheirNearestPoints)
     std::uniform_real_distribution<double> place(-3, 3), turn(0, kTwoPi);
     int apart = 0;
     for (int trial = 0; trial < 4000; ++trial) {
-        const Convex a = convexOf(kShapes[random() % 6]), b = convexOf(kShapes[random() % 6]);
+        const Convex a = convexOf(kCores[random() % 6]), b = convexOf(kCores[random() % 6]);
         const Pose poseA = poseAt(place(random), place(random), turn(random));
         const Pose poseB = poseAt(place(random), place(random), turn(random));
         const PlacedCore coreA(a, poseA), coreB(b, poseB);
@@ -97,8 +96,8 @@ TEST(Separation, OfShapesApartIsTheDistanceOfTheirNearestPoints)
         if (s.distance <= 1e-3) continue;  // overlapping cores have no distance
         ++apart;
         const double expected = distanceByDefinition(coreA, coreB);
-        EXPECT_NEAR(s.distance, expected, kTolerance) << "trial " << trial;
-        EXPECT_NEAR(length(s.normal), 1, kTolerance) << "trial " << trial;
+        EXPECT_NEAR(s.distance, expected, kDistanceTolerance) << "trial " << trial;
+        EXPECT_NEAR(length(s.normal), 1, kDistanceTolerance) << "trial " << trial;
     }
     EXPECT_GT(apart, 2500);
 }
@@ -114,7 +113,7 @@ TEST(Separation, ByFacesIsNeverMoreThanTheDistance)
         const PlacedCore coreB(b, poseAt(place(random), place(random), turn(random)));
         const double byFaces = separationByFaces({coreA, coreB}, 0).distance;
         if (byFaces > 0) {
-            EXPECT_LE(byFaces, distanceByDefinition(coreA, coreB) + kTolerance) << "trial " << trial;
+            EXPECT_LE(byFaces, distanceByDefinition(coreA, coreB) + kDistanceTolerance) << "trial " << trial;
         }
     }
 }
@@ -125,11 +124,11 @@ TEST(Separation, ChangesSignWhenTheShapesAreSwapped)
     std::mt19937 random(5);
     std::uniform_real_distribution<double> place(-2, 2), turn(0, kTwoPi);
     for (int trial = 0; trial < 2000; ++trial) {
-        const Convex a = convexOf(kShapes[random() % 6]), b = convexOf(kShapes[random() % 6]);
+        const Convex a = convexOf(kCores[random() % 6]), b = convexOf(kCores[random() % 6]);
         const PlacedCore coreA(a, poseAt(place(random), place(random), turn(random)));
         const PlacedCore coreB(b, poseAt(place(random), place(random), turn(random)));
         const Separation ab = exactSeparation({coreA, coreB}, 0), ba = exactSeparation({coreB, coreA}, 0);
-        EXPECT_NEAR(ab.distance, ba.distance, kTolerance) << "trial " << trial;
+        EXPECT_NEAR(ab.distance, ba.distance, kDistanceTolerance) << "trial " << trial;
     }
 }
 
@@ -139,8 +138,8 @@ TEST(Separation, LinesOnOneAnothersExtensionAreApart)
     const Convex line = convexOf(Segment{{0, 0}, {1, 0}, 0});
     const Separation s =
         exactSeparation({PlacedCore(line, poseAt(0, 0, 0)), PlacedCore(line, poseAt(3, 0, 0))}, 0);
-    EXPECT_NEAR(s.distance, 2, kTolerance);
-    EXPECT_NEAR(s.normal.x, 1, kTolerance);
+    EXPECT_NEAR(s.distance, 2, kDistanceTolerance);
+    EXPECT_NEAR(s.normal.x, 1, kDistanceTolerance);
 }
 
 TEST(Manifold, OfABoxOnABoxHasTheEndsOfTheSharedEdge)
@@ -151,11 +150,11 @@ TEST(Manifold, OfABoxOnABoxHasTheEndsOfTheSharedEdge)
     Manifold m;
     closestManifold({wide, below, small, above}, real(1e-4), m);
     ASSERT_EQ(m.count, 2);
-    EXPECT_NEAR(m.normal.y, 1, kTolerance);
+    EXPECT_NEAR(m.normal.y, 1, kDistanceTolerance);
     const double x0 = static_cast<double>(m.points[0].localA.x),
                  x1 = static_cast<double>(m.points[1].localA.x);
-    EXPECT_NEAR(std::min(x0, x1), 1.3, kTolerance);  // the small box's left corner
-    EXPECT_NEAR(std::max(x0, x1), 2.0, kTolerance);  // the wide box's right corner
+    EXPECT_NEAR(std::min(x0, x1), 1.3, kDistanceTolerance);  // the small box's left corner
+    EXPECT_NEAR(std::max(x0, x1), 2.0, kDistanceTolerance);  // the wide box's right corner
 }
 
 TEST(Manifold, OfADiscAndACornerPointsAwayFromTheCorner)
@@ -165,10 +164,10 @@ TEST(Manifold, OfADiscAndACornerPointsAwayFromTheCorner)
     Manifold m;
     closestManifold({square, poseAt(0, 0, 0), disc, poseAt(1.4, 1.4, 0.3)}, real(1e-4), m);
     ASSERT_EQ(m.count, 1);
-    EXPECT_NEAR(m.normal.x, std::sqrt(0.5), kTolerance);
-    EXPECT_NEAR(m.normal.y, std::sqrt(0.5), kTolerance);
-    EXPECT_NEAR(m.points[0].localA.x, 1, kTolerance);
-    EXPECT_NEAR(m.points[0].localB.x, 0, kTolerance);
+    EXPECT_NEAR(m.normal.x, std::sqrt(0.5), kDistanceTolerance);
+    EXPECT_NEAR(m.normal.y, std::sqrt(0.5), kDistanceTolerance);
+    EXPECT_NEAR(m.points[0].localA.x, 1, kDistanceTolerance);
+    EXPECT_NEAR(m.points[0].localB.x, 0, kDistanceTolerance);
 }
 
 }  // namespace

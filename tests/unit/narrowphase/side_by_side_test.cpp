@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "narrowphase/side_by_side.hpp"
+#include "support/convex.hpp"
+#include "support/same_bits.hpp"
 #include "support/traces.hpp"
 
 #include <gtest/gtest.h>
@@ -13,15 +15,9 @@
 namespace tamias2d {
 namespace {
 
-Convex convexOf(const Geometry& geometry)
-{
-    return makeConvex(geometry, {}, {}, {});
-}
+using test::convexOf;
+using test::sameBits;
 
-bool sameBits(real a, real b)
-{
-    return a == b && std::signbit(a) == std::signbit(b);
-}
 bool sameBits(Vec2 a, Vec2 b)
 {
     return sameBits(a.x, b.x) && sameBits(a.y, b.y);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "narrowphase/swept.hpp"
+#include "support/convex.hpp"
 #include "support/traces.hpp"
 
 #include <gtest/gtest.h>
@@ -9,10 +10,7 @@
 namespace tamias2d {
 namespace {
 
-Convex convexOf(const Geometry& geometry)
-{
-    return makeConvex(geometry, {}, {}, {});
-}
+using test::convexOf;
 
 Trajectory path(double x, double y, double angle, double vx, double vy, double spin)
 {
@@ -25,7 +23,7 @@ Trajectory path(double x, double y, double angle, double vx, double vy, double s
     return p;
 }
 
-const Geometry kShapes[] = {Circle{{}, real(0.3)}, Capsule{{real(-0.4), 0}, {real(0.4), 0}, real(0.1)},
+const Geometry kMovers[] = {Circle{{}, real(0.3)}, Capsule{{real(-0.4), 0}, {real(0.4), 0}, real(0.1)},
                             makeBox(1, real(0.05)), makeBox(real(0.6), real(0.6), real(0.1)),
                             makeRegularPolygon(5, real(0.5))};
 
@@ -61,7 +59,7 @@ TEST(Swept, NoPairThatMeetsIsMissed)
     const double dt = 1.0 / 240;
     int met = 0;
     for (int trial = 0; trial < 3000; ++trial) {
-        const Convex a = convexOf(kShapes[random() % 5]), b = convexOf(kShapes[random() % 5]);
+        const Convex a = convexOf(kMovers[random() % 5]), b = convexOf(kMovers[random() % 5]);
         const double w = trial % 2 == 0 ? 0.0 : 1.0;
         const SweptPair pair{
             a, b,
@@ -92,7 +90,7 @@ TEST(Swept, TheStripBetweenTwoShapesIsEmpty)
     const double tolerance = std::is_same_v<real, double> ? 1e-12 : 2e-6;
     int known = 0, apart = 0;
     for (int trial = 0; trial < 20000; ++trial) {
-        const Convex a = convexOf(kShapes[random() % 5]), b = convexOf(kShapes[random() % 5]);
+        const Convex a = convexOf(kMovers[random() % 5]), b = convexOf(kMovers[random() % 5]);
         const SweptPair pair{
             a, b,
             path(place(random), place(random), turn(random), speed(random), speed(random), spin(random)),
@@ -148,7 +146,7 @@ TEST(Swept, TheBoundsHoldTheShapeAllTheWay)
     std::mt19937 random(12);
     std::uniform_real_distribution<double> place(-3, 3), speed(-100, 100), spin(-100, 100);
     for (int trial = 0; trial < 300; ++trial) {
-        const Convex shape = convexOf(kShapes[random() % 5]);
+        const Convex shape = convexOf(kMovers[random() % 5]);
         const Trajectory way =
             path(place(random), place(random), 1, speed(random), speed(random), spin(random));
         const real dt = real(1.0 / 60);

@@ -12,7 +12,7 @@
 namespace tamias2d {
 namespace {
 
-constexpr double kTolerance = std::is_same_v<real, double> ? 1e-13 : 1e-5;
+constexpr double kStepTolerance = std::is_same_v<real, double> ? 1e-13 : 1e-5;
 
 // One body that moves freely, by the kernels of a width: more copies of it than lanes, which must not differ.
 class FreeBody {
@@ -107,10 +107,10 @@ TEST(Integration, OfExponentialDampingWithAConstantForceIsExact)
             }
             const Motion& m = body.motion();
             const Damped exact{c, 5, 3};
-            EXPECT_NEAR(m.velocity.x / exact.velocity(1), 1, 100 * kTolerance) << "c = " << c;
-            EXPECT_NEAR(m.center.x / exact.position(1), 1, 100 * kTolerance) << "c = " << c;
-            EXPECT_NEAR(m.spin / exact.velocity(1), 1, 100 * kTolerance) << "c = " << c;
-            EXPECT_NEAR(turned / exact.position(1), 1, 100 * kTolerance) << "c = " << c;
+            EXPECT_NEAR(m.velocity.x / exact.velocity(1), 1, 100 * kStepTolerance) << "c = " << c;
+            EXPECT_NEAR(m.center.x / exact.position(1), 1, 100 * kStepTolerance) << "c = " << c;
+            EXPECT_NEAR(m.spin / exact.velocity(1), 1, 100 * kStepTolerance) << "c = " << c;
+            EXPECT_NEAR(turned / exact.position(1), 1, 100 * kStepTolerance) << "c = " << c;
         }
     }
 }
