@@ -148,8 +148,10 @@ HOW_TO_READ = """\
 {machine}, {threads} thread(s), medians of {turns} interleaved turns (fewer where the table says so), {steps}.
 Each engine runs the same scene, built
 with the same numbers, in a program of its own ([apps/bench](../apps/bench)); all take 60 steps a second with
-their defaults. A ratio is their time over ours: above 1, Tamias2D is faster. Overlap, kinetic energy and top
-are measured at the end by one piece of code for all engines.
+their defaults. A ratio is their time over ours: above 1, Tamias2D is faster. Overlap, joint error (the greatest
+distance of two points that should be together), kinetic energy and top are measured at the end by one piece of
+code for all engines; how many contacts touch is what each says. Box2D 2.4 has no springs on hinges: its ragdolls
+do without.
 
 ![For each scene, the time of other engines over that of Tamias2D](images/performance.svg)
 """
@@ -157,7 +159,7 @@ are measured at the end by one piece of code for all engines.
 
 def page(record: dict) -> str:
     head = ["Scene", "Engine", "turns", "ms a step", "ratio", "from - to", "ns a body", "deepest overlap [m]",
-            "mean overlap [m]", "energy a body [J]", "fastest [m/s]", "top [m]"]
+            "mean overlap [m]", "joint error [m]", "energy a body [J]", "fastest [m/s]", "top [m]", "touching"]
     lines = ["| " + " | ".join(head) + " |", "|" + " --- |" * len(head)]
     for scene, engines in record["scenes"].items():
         for r in engines.values():
@@ -166,8 +168,9 @@ def page(record: dict) -> str:
                 continue
             cells = [scene, r["engine"], str(r["turns"]), f"{r['stepMs']:.4f}", f"{r['ratio']:.2f}",
                      f"{r['ratioFrom']:.2f} - {r['ratioTo']:.2f}", f"{1e6 * r['stepMs'] / max(r['bodies'], 1):.0f}",
-                     f"{r['deepest']:.1e}", f"{r['mean']:.1e}", f"{r['kineticEnergyPerBody']:.1e}",
-                     f"{r['fastest']:.1e}", f"{r['top']:.2f}"]
+                     f"{r['deepest']:.1e}", f"{r['mean']:.1e}", f"{r['jointError']:.1e}" if r["joints"] else "",
+                     f"{r['kineticEnergyPerBody']:.1e}", f"{r['fastest']:.1e}", f"{r['top']:.2f}",
+                     str(r["contactsAtEnd"]) if r["contactsAtEnd"] >= 0 else ""]
             lines.append("| " + " | ".join(cells) + " |")
     steps = f"the first {record['steps']} steps of each scene" if record["steps"] else "all steps of each scene"
     return HOW_TO_READ.format(**record | {"steps": steps}) + "\n" + "\n".join(lines) + "\n\n" + memory_page(record)

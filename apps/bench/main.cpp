@@ -24,6 +24,23 @@ double millisecondsSince(Clock::time_point start)
     return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
 }
 
+// What there is of a scene now.
+struct Size {
+    std::size_t free = 0, shapes = 0, joints = 0;
+};
+
+Size sizeOf(const Scene& scene, const Engine& engine)
+{
+    Size size;
+    for (std::size_t i = 0; i < scene.bodies.size(); ++i) {
+        if (!engine.has(i)) continue;
+        size.free += scene.bodies[i].mobility == Mobility::Free ? 1 : 0;
+        size.shapes += scene.bodies[i].shapes.size();
+        size.joints += jointsOf(scene, i).size();
+    }
+    return size;
+}
+
 nlohmann::json run(const Scene& scene, int steps, const Options& options, const std::string& profile)
 {
     const auto start = Clock::now();
@@ -56,13 +73,14 @@ nlohmann::json run(const Scene& scene, int steps, const Options& options, const 
 
     const Counts last = engine->counts();
     const Quality quality = measureQuality(scene, *engine);
-    const auto free = std::count_if(scene.bodies.begin(), scene.bodies.end(),
-                                    [](const SceneBody& b) { return b.mobility == Mobility::Free; });
+    const Size size = sizeOf(scene, *engine);
     nlohmann::json line = {{"engine", engineTitle()},
                            {"scene", scene.name},
                            {"threads", options.threads},
                            {"steps", steps},
-                           {"bodies", free},
+                           {"bodies", size.free},
+                           {"shapes", size.shapes},
+                           {"joints", size.joints},
                            {"buildMs", build},
                            {"stepMs", total / steps},
                            {"medianMs", times[times.size() / 2]},
@@ -70,9 +88,10 @@ nlohmann::json run(const Scene& scene, int steps, const Options& options, const 
                            {"phasesMs", phases},
                            {"deepest", quality.deepest},
                            {"mean", quality.mean},
-                           {"kineticEnergyPerBody", quality.kineticEnergy / static_cast<double>(free)},
+                           {"kineticEnergyPerBody", quality.kineticEnergy / static_cast<double>(size.free)},
                            {"fastest", quality.fastest},
                            {"top", quality.top},
+                           {"jointError", quality.jointError},
                            {"awakeAtEnd", last.awake},
                            {"contactsAtEnd", last.contacts}};
     if (const auto memory = engine->memory(); !memory.empty()) line["memoryBytes"] = memory;

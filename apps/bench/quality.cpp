@@ -15,6 +15,7 @@ struct Placed {
     double radius;
     double left, right, bottom, top;
     std::size_t body;
+    SceneFilter filter;
 };
 
 Vec minus(Vec a, Vec b)
@@ -30,12 +31,17 @@ double cross(Vec a, Vec b)
     return a.x * b.y - a.y * b.x;
 }
 
+Vec toWorld(const State& state, Vec v)
+{
+    const double c = std::cos(state.angle), s = std::sin(state.angle);
+    return {state.position.x + c * v.x - s * v.y, state.position.y + s * v.x + c * v.y};
+}
+
 Placed place(const SceneShape& shape, const State& state, std::size_t body)
 {
-    Placed placed{{}, shape.radius, 1e300, -1e300, 1e300, -1e300, body};
-    const double c = std::cos(state.angle), s = std::sin(state.angle);
+    Placed placed{{}, shape.radius, 1e300, -1e300, 1e300, -1e300, body, shape.filter};
     for (Vec v : shape.corners) {
-        const Vec p{state.position.x + c * v.x - s * v.y, state.position.y + s * v.x + c * v.y};
+        const Vec p = toWorld(state, v);
         placed.corners.push_back(p);
         placed.left = std::min(placed.left, p.x - shape.radius);
         placed.right = std::max(placed.right, p.x + shape.radius);
@@ -146,12 +152,18 @@ Quality measureQuality(const Scene& scene, const Engine& engine)
     std::vector<Placed> movers, others;
     quality.top = -std::numeric_limits<double>::infinity();
     for (std::size_t i = 0; i < scene.bodies.size(); ++i) {
+        if (!engine.has(i)) continue;
         const SceneBody& body = scene.bodies[i];
         const State state = engine.state(i);
         const bool isFree = body.mobility == Mobility::Free;
         for (const SceneShape& shape : body.shapes)
             (isFree ? movers : others).push_back(place(shape, state, i));
         if (isFree) addEnergy(body, state, quality);
+        for (const SceneJoint& joint : jointsOf(scene, i)) {
+            const Vec gap =
+                minus(toWorld(state, joint.anchorB), toWorld(engine.state(joint.a), joint.anchorA));
+            quality.jointError = std::max(quality.jointError, std::sqrt(dot(gap, gap)));
+        }
     }
     const auto byLeft = [](const Placed& a, const Placed& b) { return a.left < b.left; };
     std::sort(movers.begin(), movers.end(), byLeft);
@@ -161,6 +173,7 @@ Quality measureQuality(const Scene& scene, const Engine& engine)
     const auto follow = [&](const Placed& one, const std::vector<Placed>& list, auto next) {
         for (; next != list.end() && next->left <= one.right; ++next) {
             if (next->body == one.body || next->bottom > one.top || next->top < one.bottom) continue;
+            if (!mayTouch(one.filter, next->filter)) continue;
             const double depth = overlap(one, *next);
             if (!(depth > 0)) continue;
             quality.deepest = std::max(quality.deepest, depth);

@@ -12,6 +12,7 @@ struct Quality {
     double kineticEnergy = 0;  ///< of the free bodies, by their own densities  [J]
     double fastest = 0;        ///< speed of a free body                        [m/s]
     double top = 0;            ///< height of the highest free body             [m]
+    double jointError = 0;     ///< greatest distance of two points that should be together  [m]
 };
 
 Quality measureQuality(const Scene& scene, const Engine& engine);

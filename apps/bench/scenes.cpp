@@ -127,10 +127,14 @@ const std::vector<SceneEntry>& scenes()
 {
     static const std::vector<SceneEntry> all = {
         {"compounds", "suite", compounds},
+        {"joint_grid", "suite", jointGrid},
         {"junkyard", "suite", junkyard},
         {"large_pyramid", "suite", largePyramid},
         {"many_pyramids", "suite", manyPyramids},
+        {"rain", "suite", rain},
         {"smash", "suite", smash},
+        {"spinner", "suite", spinner},
+        {"tumbler", "suite", tumbler},
         {"washer", "suite", washer},
         {"circles_1k", "pile", [] { return pile("circles_1k", 1000, 300, circleOf); }},
         {"circles_10k", "pile", [] { return pile("circles_10k", 10000, 100, circleOf); }},

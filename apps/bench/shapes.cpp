@@ -47,4 +47,15 @@ SceneShape polygon(std::vector<Vec> points)
     return {std::move(points)};
 }
 
+bool mayTouch(const SceneFilter& a, const SceneFilter& b)
+{
+    if (a.group != 0 && a.group == b.group) return a.group > 0;
+    return (a.mask & b.category) != 0 && (b.mask & a.category) != 0;
+}
+
+std::span<const SceneJoint> jointsOf(const Scene& scene, std::size_t body)
+{
+    return std::ranges::equal_range(scene.joints, body, {}, &SceneJoint::b);
+}
+
 }  // namespace tamias2d::bench

@@ -5,6 +5,8 @@
 
 #include <tamias2d/tamias2d.hpp>
 
+#include <algorithm>
+
 // Tamias2D with its defaults: 60 steps a second of 4 sub-steps. Compiled once a precision.
 namespace tamias2d::bench {
 namespace {
@@ -33,15 +35,31 @@ ShapeDef shapeOf(const SceneShape& source)
     def.density = static_cast<real>(source.density);
     def.material.friction = static_cast<real>(source.friction);
     def.material.restitution = static_cast<real>(source.restitution);
+    def.filter = {source.filter.category, source.filter.mask, source.filter.group};
     return def;
+}
+
+RevoluteJoint hingeOf(const SceneJoint& source)
+{
+    RevoluteJoint hinge{toReal(source.anchorA), toReal(source.anchorB), source.reference};
+    if (const auto& l = source.limits)
+        hinge.limits = {static_cast<real>(l->lower), static_cast<real>(l->upper)};
+    if (const auto& m = source.motor)
+        hinge.motor = {static_cast<real>(m->speed),
+                       static_cast<real>(std::min<double>(m->maxTorque, kUnlimited))};
+    if (const auto& s = source.spring)
+        hinge.spring = {static_cast<real>(s->frequency), static_cast<real>(s->dampingRatio), 0};
+    return hinge;
 }
 
 class TamiasEngine final : public Engine {
 public:
     TamiasEngine(const Scene& scene, int threads)
-        : world_(WorldDef{.gravity = toReal(scene.gravity), .allowSleep = scene.sleep, .threads = threads})
+        : Engine(scene),
+          world_(WorldDef{.gravity = toReal(scene.gravity), .allowSleep = scene.sleep, .threads = threads})
     {
-        for (const SceneBody& source : scene.bodies) add(source);
+        bodies_.resize(scene.bodies.size());
+        addAll();
     }
 
     ~TamiasEngine() override
@@ -96,8 +114,9 @@ public:
     }
 
 private:
-    void add(const SceneBody& source)
+    void make(std::size_t i) override
     {
+        const SceneBody& source = scene_.bodies[i];
         BodyDef def;
         def.type = source.mobility == Mobility::Free     ? BodyType::Dynamic
                    : source.mobility == Mobility::Driven ? BodyType::Kinematic
@@ -106,11 +125,17 @@ private:
         def.angle = source.start.angle;
         def.linearVelocity = toReal(source.start.velocity);
         def.angularVelocity = static_cast<real>(source.start.spin);
+        def.linearDamping = static_cast<real>(source.damping);
+        def.allowSleep = source.maySleep;
         def.awake = !source.asleep;
         Body body = world_.createBody(def);
         for (const SceneShape& shape : source.shapes) body.createShape(shapeOf(shape));
-        bodies_.push_back(body);
+        bodies_[i] = body;
+        for (const SceneJoint& joint : jointsOf(scene_, i))
+            world_.createJoint({.bodyA = bodies_[joint.a].id(), .bodyB = body.id(), .kind = hingeOf(joint)});
     }
+
+    void unmake(std::size_t i) override { bodies_[i].destroy(); }  // and its joints
 
     World world_;
     std::vector<Body> bodies_;

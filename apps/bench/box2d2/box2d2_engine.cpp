@@ -3,6 +3,8 @@
 
 #include <box2d/box2d.h>
 
+#include <algorithm>
+
 // Box2D 2.4 with the iterations its manual recommends.
 namespace tamias2d::bench {
 namespace {
@@ -17,10 +19,11 @@ b2Vec2 toB2(Vec v)
 
 class Box2DEngine final : public Engine {
 public:
-    explicit Box2DEngine(const Scene& scene) : world_(toB2(scene.gravity))
+    explicit Box2DEngine(const Scene& scene)
+        : Engine(scene), world_(toB2(scene.gravity)), bodies_(scene.bodies.size())
     {
         world_.SetAllowSleeping(scene.sleep);
-        for (const SceneBody& body : scene.bodies) add(body);
+        addAll();
     }
 
     void step() override
@@ -45,15 +48,16 @@ public:
     {
         Counts counts{0, 0, 0};
         for (const b2Body* body : bodies_)
-            counts.awake += body->GetType() == b2_dynamicBody && body->IsAwake() ? 1 : 0;
+            counts.awake += body != nullptr && body->GetType() == b2_dynamicBody && body->IsAwake() ? 1 : 0;
         for (const b2Contact* c = world_.GetContactList(); c != nullptr; c = c->GetNext())
             counts.contacts += c->IsTouching() ? 1 : 0;
         return counts;
     }
 
 private:
-    void add(const SceneBody& source)
+    void make(std::size_t i) override
     {
+        const SceneBody& source = scene_.bodies[i];
         b2BodyDef def;
         def.type = source.mobility == Mobility::Free     ? b2_dynamicBody
                    : source.mobility == Mobility::Driven ? b2_kinematicBody
@@ -62,10 +66,41 @@ private:
         def.angle = static_cast<float>(source.start.angle);
         def.linearVelocity = toB2(source.start.velocity);
         def.angularVelocity = static_cast<float>(source.start.spin);
+        def.linearDamping = static_cast<float>(source.damping);
+        def.allowSleep = source.maySleep;
         def.awake = !source.asleep;
         b2Body* body = world_.CreateBody(&def);
-        bodies_.push_back(body);
+        bodies_[i] = body;
         for (const SceneShape& shape : source.shapes) attach(*body, shape);
+        for (const SceneJoint& joint : jointsOf(scene_, i)) join(joint);
+    }
+
+    void unmake(std::size_t i) override
+    {
+        world_.DestroyBody(bodies_[i]);  // and its joints
+        bodies_[i] = nullptr;
+    }
+
+    // It has no hinges with springs: these are left out.
+    void join(const SceneJoint& joint)
+    {
+        b2RevoluteJointDef def;
+        def.bodyA = bodies_[joint.a];
+        def.bodyB = bodies_[joint.b];
+        def.localAnchorA = toB2(joint.anchorA);
+        def.localAnchorB = toB2(joint.anchorB);
+        def.referenceAngle = static_cast<float>(joint.reference);
+        if (const auto& l = joint.limits) {
+            def.enableLimit = true;
+            def.lowerAngle = static_cast<float>(l->lower);
+            def.upperAngle = static_cast<float>(l->upper);
+        }
+        if (const auto& m = joint.motor) {
+            def.enableMotor = true;
+            def.motorSpeed = static_cast<float>(m->speed);
+            def.maxMotorTorque = static_cast<float>(std::min<double>(m->maxTorque, b2_maxFloat));
+        }
+        world_.CreateJoint(&def);
     }
 
     // It has no capsules: a box with two discs stands for one.
@@ -79,6 +114,9 @@ private:
         fixture.density = static_cast<float>(shape.density);
         fixture.friction = static_cast<float>(shape.friction);
         fixture.restitution = static_cast<float>(shape.restitution);
+        fixture.filter.categoryBits = static_cast<uint16>(shape.filter.category);
+        fixture.filter.maskBits = static_cast<uint16>(shape.filter.mask);
+        fixture.filter.groupIndex = static_cast<int16>(shape.filter.group);
         if (c.size() <= 2 && !isLine) {
             for (b2Vec2 center : corners) {
                 b2CircleShape circle;
@@ -89,7 +127,9 @@ private:
             }
             if (c.size() == 1) return;
             const float r = static_cast<float>(shape.radius);
-            corners = {{corners[0].x, -r}, {corners[1].x, -r}, {corners[1].x, r}, {corners[0].x, r}};
+            const b2Vec2 along = corners[1] - corners[0],
+                         side = r / along.Length() * b2Vec2(-along.y, along.x);
+            corners = {corners[0] - side, corners[1] - side, corners[1] + side, corners[0] + side};
         }
         b2EdgeShape edge;
         b2PolygonShape polygon;

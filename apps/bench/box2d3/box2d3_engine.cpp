@@ -3,7 +3,9 @@
 
 #include <box2d/box2d.h>
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 
 // Box2D 3 with its defaults: 4 sub-steps.
 namespace tamias2d::bench {
@@ -14,16 +16,18 @@ b2Vec2 toB2(Vec v)
     return {static_cast<float>(v.x), static_cast<float>(v.y)};
 }
 
+constexpr float kGreatest = std::numeric_limits<float>::max();
+
 class Box2DEngine final : public Engine {
 public:
-    Box2DEngine(const Scene& scene, int threads)
+    Box2DEngine(const Scene& scene, int threads) : Engine(scene), bodies_(scene.bodies.size())
     {
         b2WorldDef def = b2DefaultWorldDef();
         def.gravity = toB2(scene.gravity);
         def.enableSleep = scene.sleep;
         def.workerCount = threads;
         world_ = b2CreateWorld(&def);
-        for (const SceneBody& body : scene.bodies) add(body);
+        addAll();
     }
     ~Box2DEngine() override { b2DestroyWorld(world_); }
 
@@ -57,8 +61,9 @@ public:
     }
 
 private:
-    void add(const SceneBody& source)
+    void make(std::size_t i) override
     {
+        const SceneBody& source = scene_.bodies[i];
         b2BodyDef def = b2DefaultBodyDef();
         def.type = source.mobility == Mobility::Free     ? b2_dynamicBody
                    : source.mobility == Mobility::Driven ? b2_kinematicBody
@@ -68,10 +73,40 @@ private:
         def.rotation = b2MakeRot(static_cast<float>(source.start.angle));
         def.linearVelocity = toB2(source.start.velocity);
         def.angularVelocity = static_cast<float>(source.start.spin);
+        def.linearDamping = static_cast<float>(source.damping);
+        def.enableSleep = source.maySleep;
         def.isAwake = !source.asleep;
         const b2BodyId body = b2CreateBody(world_, &def);
-        bodies_.push_back(body);
+        bodies_[i] = body;
         for (const SceneShape& shape : source.shapes) attach(body, shape);
+        for (const SceneJoint& joint : jointsOf(scene_, i)) join(joint);
+    }
+
+    void unmake(std::size_t i) override { b2DestroyBody(bodies_[i]); }  // and its joints
+
+    void join(const SceneJoint& joint)
+    {
+        b2RevoluteJointDef def = b2DefaultRevoluteJointDef();
+        def.base.bodyIdA = bodies_[joint.a];
+        def.base.bodyIdB = bodies_[joint.b];
+        def.base.localFrameA = {toB2(joint.anchorA), b2MakeRot(static_cast<float>(joint.reference))};
+        def.base.localFrameB.p = toB2(joint.anchorB);
+        if (const auto& l = joint.limits) {
+            def.enableLimit = true;
+            def.lowerAngle = static_cast<float>(l->lower);
+            def.upperAngle = static_cast<float>(l->upper);
+        }
+        if (const auto& m = joint.motor) {
+            def.enableMotor = true;
+            def.motorSpeed = static_cast<float>(m->speed);
+            def.maxMotorTorque = static_cast<float>(std::min<double>(m->maxTorque, kGreatest));
+        }
+        if (const auto& s = joint.spring) {
+            def.enableSpring = true;
+            def.hertz = static_cast<float>(s->frequency);
+            def.dampingRatio = static_cast<float>(s->dampingRatio);
+        }
+        b2CreateRevoluteJoint(world_, &def);
     }
 
     static void attach(b2BodyId body, const SceneShape& shape)
@@ -80,6 +115,9 @@ private:
         def.density = static_cast<float>(shape.density);
         def.material.friction = static_cast<float>(shape.friction);
         def.material.restitution = static_cast<float>(shape.restitution);
+        def.filter.categoryBits = shape.filter.category;
+        def.filter.maskBits = shape.filter.mask;
+        def.filter.groupIndex = shape.filter.group;
         std::vector<b2Vec2> corners;
         for (Vec p : shape.corners) corners.push_back(toB2(p));
         const float radius = static_cast<float>(shape.radius);
