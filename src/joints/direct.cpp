@@ -121,6 +121,7 @@ private:
     void addRow(const Jacobian& jacobian, int nodeA, int nodeB, double weight);
 
     void takeBack();
+    void takeGammas(double ropes, double looseness);
 
     bool guarded_ = false;  // does a tie at a distance resist turning?
     double ropeGamma_ = kRope;  // over the effective mass inverted, of limits that bear loads
@@ -388,6 +389,14 @@ void DirectSolver::addMore(std::size_t j, int i, double weight)
     }
 }
 
+// Factors are of the gammas with which they were made.
+void DirectSolver::takeGammas(double ropes, double looseness)
+{
+    ropeGamma_ = ropes;
+    looseness_ = looseness;
+    group_.factored.clear();
+}
+
 bool DirectSolver::factor()
 {
     if (group_.factored == group_.states && !turns_) return true;
@@ -539,7 +548,7 @@ double DirectSolver::enough(double left) const
 bool DirectSolver::solve(const std::vector<BodyMotion<real>>& velocities)
 {
     load(velocities);
-    ropeGamma_ = kRope;
+    takeGammas(kRope, 1);
     const bool solved =
         group_.contacts.empty() ? repeat(kRepeats) || (hasRopes() && soften(velocities)) : solveContacts();
     return solved && std::all_of(group_.velocity.begin(), group_.velocity.end(),
@@ -552,9 +561,9 @@ bool DirectSolver::solveContacts()
 {
     bool found = false;
     steps_ = 0;
-    for (looseness_ = kLoosest; looseness_ > 0.5 && steps_ < kMostOfAll; looseness_ /= 10) {
+    for (double looseness = kLoosest; looseness > 0.5 && steps_ < kMostOfAll; looseness /= 10) {
+        takeGammas(kRope, looseness);
         group_.kept = group_.velocity;
-        group_.factored.clear();  // they were of other gammas
         if (!converge()) {
             group_.velocity = group_.kept;
             group_.impulses = group_.before;
@@ -598,10 +607,10 @@ bool DirectSolver::hasRopes()
 bool DirectSolver::soften(const std::vector<BodyMotion<real>>& velocities)
 {
     load(velocities);
-    ropeGamma_ = kBounded;
+    takeGammas(kBounded, 1);
     if (!repeat(1)) return false;
     while (ropeGamma_ > 2 * kRope) {
-        ropeGamma_ /= 10;
+        takeGammas(ropeGamma_ / 10, 1);
         group_.kept = group_.velocity;
         if (repeat(1)) continue;
         group_.velocity = group_.kept;
