@@ -49,14 +49,17 @@ DiscResult<T> collideDiscs(const DiscsOnWay<T>& discs)
     const MaskOf<T> apartAtEnd = gaps[1] > deep;
     const MaskOf<T> parting = apartAtEnd & (dot(normals[0], slide) >= zero);
     const MaskOf<T> nearing = apartAtEnd & (!parting) & (zero >= dot(normals[1], slide));
+    const MaskOf<T> pressing =
+        (!overlap) & (!parting) & (!nearing) & (admit >= gaps[0]) & (travel < T(kSlowest) * discs.restGap);
     const MaskOf<T> atEnd = (overlap & lessAtEnd) | ((!overlap) & nearing);
 
     DiscResult<T> result;
     result.startGap = gaps[0];
     result.axis = normals[0];
     result.normal = select(atEnd, normals[1], normals[0]);
-    result.decided = (!close) | overlap | parting | nearing;
-    result.near = close & (overlap | ((parting | nearing) & (admit >= select(atEnd, gaps[1], gaps[0]))));
+    result.decided = (!close) | overlap | pressing | parting | nearing;
+    result.near =
+        close & (overlap | pressing | ((parting | nearing) & (admit >= select(atEnd, gaps[1], gaps[0]))));
     const auto hides = [&](int i) {
         const T shown = dot(result.normal, discs.fromAToB[i]) - discs.radii;
         return (gaps[i] < admit) & (shown > gaps[i] - deep);

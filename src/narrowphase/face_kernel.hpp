@@ -20,6 +20,10 @@ BasicVec2<T> select(MaskOf<T> condition, BasicVec2<T> a, BasicVec2<T> b)
     return {select(condition, a.x, b.x), select(condition, a.y, b.y)};
 }
 
+/// In rest gaps, how far two that all but touch may move against each other in a sweep and yet press on each
+/// other, all along it, with the features that are nearest at its start.
+inline constexpr real kSlowest = 16;
+
 /// What a face is worth that is `nearest` away over a sweep: of faces that nearly tie, the one along which
 /// the other shape slides.   [m]
 template <class T>

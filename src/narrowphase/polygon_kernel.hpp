@@ -230,15 +230,17 @@ void collidePolygons(const PolygonOnWay<T, N>& a, const PolygonOnWay<T, N>& b, T
     const MaskOf<T> admitted = close & plain & (!(best.least() > admit));
     result.decided = result.decided | (close & plain & (best.least() > admit));
 
-    // Those that overlap at the start, or nearly and no worse later, take it by force.
+    // Those that overlap at the start, or nearly and no worse later, or press on each other take it by force.
     const MaskOf<T> grazing = (startGap < restGap) & (best.least() > T(real(8)) * deep) & (!turning);
-    const MaskOf<T> overlapping = close & (!plain) & ((startGap < deep) | grazing);
+    const MaskOf<T> overlaps = (startGap < deep) | grazing;
+    const MaskOf<T> presses = (admit >= startGap) & (travel < T(kSlowest) * restGap) & (!turning);
+    const MaskOf<T> overlapping = close & (!plain) & (overlaps | presses);
     const MaskOf<T> forced = overlapping & (!(sagitta >= restGap));
     if (!any(admitted | forced)) return;
 
     // The manifold on it, at the end where the gap is smaller. Where the edge lies beyond the face at both
     // ends, there is none.
-    const MaskOf<T> slow = travel < T(real(0.25)) * minimum(a.extent, b.extent);
+    const MaskOf<T> slow = overlaps & (travel < T(real(0.25)) * minimum(a.extent, b.extent));
     const MaskOf<T> atEnd = (best.first + preference >= best.last) & ((!forced) | slow);
     const FaceOfPolygons<T, N> face(a, b, best.onB, best.index);
     const ClippedPolygons<T, N> edge(face, a, b, atEnd);

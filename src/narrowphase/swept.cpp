@@ -90,6 +90,10 @@ struct Sweep {
         return best;
     }
 
+    // Against the size of the smaller.
+    bool isSlow() const { return travel < real(0.25) * minimum(pair.a.extent, pair.b.extent); }
+    // Those that all but touch and go for each other, slowly, do so with the features that are nearest now.
+    bool presses() const { return start.distance <= admit && travel < kSlowest * pair.restGap && !turning; }
     real preference() const { return real(0.1) * pair.restGap; }
 
     real gap(const PlacedPair& placed) const { return coreDistance(placed) - radii; }
@@ -199,18 +203,18 @@ bool settledByFace(const Sweep& s, const SweptFace& best, SweptResult& result)
     return s.sharp;
 }
 
-// Sharp polygons that overlap at the start, or nearly and no worse later.
+// Sharp polygons that overlap at the start, or nearly and no worse later, or that press on each other.
 bool settledByOverlap(const Sweep& s, const SweptFace& best, SweptResult& result)
 {
     const real gap = s.start.distance;
     const bool grazing = gap < s.pair.restGap && best.axis.distance > 8 * s.deep && !s.turning;
-    if (gap >= s.deep && !grazing) return false;
+    const bool overlaps = gap < s.deep || grazing;
+    if (!overlaps && !s.presses()) return false;
     if (s.sagitta >= s.pair.restGap) {
         result = s.closestAtStart();
         return true;
     }
-    const bool slow = s.travel < real(0.25) * minimum(s.pair.a.extent, s.pair.b.extent);
-    s.byFace(best.smallerAtEnd && slow, best.axis, true, result);
+    s.byFace(best.smallerAtEnd && overlaps && s.isSlow(), best.axis, true, result);
     return true;
 }
 
@@ -223,16 +227,19 @@ bool settledByConvexity(const Sweep& s, SweptResult& result)
         result = last < first && last > 8 * s.deep ? s.closestAtEnd() : s.closestAtStart();
         return true;
     }
-    if (last <= s.deep || s.turning) return false;
-    if (dot(s.start.normal, s.slide) >= 0) {
+    if (s.turning) return false;
+    const bool apartAtEnd = last > s.deep;
+    if (apartAtEnd && dot(s.start.normal, s.slide) >= 0) {
         if (first <= s.admit) result = s.closestAtStart();
         return true;
     }
-    if (dot(s.end.normal, s.slide) <= 0) {
+    if (apartAtEnd && dot(s.end.normal, s.slide) <= 0) {
         if (last <= s.admit) result = s.closestAtEnd();
         return true;
     }
-    return false;
+    if (!s.presses()) return false;
+    result = s.closestAtStart();
+    return true;
 }
 
 // Does any point near contact close at the start, turning included?
