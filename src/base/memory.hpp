@@ -12,9 +12,12 @@ namespace tamias2d::inline TAMIAS_PRECISION {
 /// Where tables take their memory from: a source that a caller has given, or new and delete.
 using MemorySource = std::pmr::memory_resource*;
 
+/// New and delete; large tables in huge pages, see pages.hpp.
+MemorySource pageSource();
+
 inline MemorySource sourceOr(MemorySource given)
 {
-    return given != nullptr ? given : std::pmr::new_delete_resource();
+    return given != nullptr ? given : pageSource();
 }
 
 /// A column of a table.

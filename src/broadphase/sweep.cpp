@@ -40,7 +40,7 @@ struct Strips {
 };
 
 // Some times as high as half of the boxes are, to a power of two.
-Strips layOut(const std::vector<SweepBox>& boxes)
+Strips layOut(const Table<SweepBox>& boxes)
 {
     constexpr int kLeast = -64, kMost = 64;
     std::uint32_t counts[kMost - kLeast + 1] = {};
@@ -60,7 +60,7 @@ Strips layOut(const std::vector<SweepBox>& boxes)
 }
 
 // Puts each box into the strips it reaches, sorted by bucket.
-void fillStrips(const std::vector<SweepBox>& boxes, const Strips& strips, SweepScratch& scratch)
+void fillStrips(const Table<SweepBox>& boxes, const Strips& strips, SweepScratch& scratch)
 {
     scratch.unsorted.clear();
     scratch.huge.clear();
@@ -96,7 +96,7 @@ void addPair(const SweepBox& a, const SweepBox& b, std::vector<ShapePair>& found
 }
 
 // Sweeps a bucket. A pair that lies in several strips counts in the lowest that both are in.
-void sweepBucket(const std::vector<SweepBox>& boxes, const Strips& strips, Entry* begin, Entry* end,
+void sweepBucket(const Table<SweepBox>& boxes, const Strips& strips, Entry* begin, Entry* end,
                  std::vector<ShapePair>& found)
 {
     std::sort(begin, end, [](const Entry& a, const Entry& b) {
@@ -136,8 +136,8 @@ void sortPairs(const std::vector<ShapePair>& found, std::vector<ShapePair>& pair
 
 }  // namespace
 
-void sweepPairs(const std::vector<SweepBox>& boxes, std::span<const ShapePair> more,
-                std::vector<ShapePair>& pairs, SweepScratch& scratch, Parallel& parallel)
+void sweepPairs(const Table<SweepBox>& boxes, std::span<const ShapePair> more, std::vector<ShapePair>& pairs,
+                SweepScratch& scratch, Parallel& parallel)
 {
     scratch.found.assign(more.begin(), more.end());
     if (!boxes.empty()) {

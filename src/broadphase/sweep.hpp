@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "base/pages.hpp"
 #include "tasks/chunk_lists.hpp"
 #include "tasks/parallel.hpp"
 
@@ -45,7 +46,7 @@ struct SweepScratch {
 
 /// All pairs of overlapping boxes of which one moves, and the pairs in `more`, sorted by shape. The boxes are
 /// laid out in strips along x and swept strip by strip from left to right.
-void sweepPairs(const std::vector<SweepBox>& boxes, std::span<const ShapePair> more,
-                std::vector<ShapePair>& pairs, SweepScratch& scratch, Parallel& parallel);
+void sweepPairs(const Table<SweepBox>& boxes, std::span<const ShapePair> more, std::vector<ShapePair>& pairs,
+                SweepScratch& scratch, Parallel& parallel);
 
 }  // namespace tamias2d::inline TAMIAS_PRECISION

@@ -9,7 +9,7 @@ namespace tamias2d::inline TAMIAS_PRECISION {
 // in a slice as there are slices.
 void BoxTree::sortByPlace()
 {
-    const std::vector<SweepBox>& boxes = *boxes_;
+    const Table<SweepBox>& boxes = *boxes_;
     const auto byX = [](const Entry& a, const Entry& b) { return a.x != b.x ? a.x < b.x : a.box < b.box; };
     const auto byY = [](const Entry& a, const Entry& b) { return a.y != b.y ? a.y < b.y : a.box < b.box; };
     const auto middle = [](double lower, double upper) {
@@ -33,7 +33,7 @@ void BoxTree::sortByPlace()
     }
 }
 
-void BoxTree::build(std::vector<SweepBox>& boxes, std::size_t shapeSlots)
+void BoxTree::build(Table<SweepBox>& boxes, std::size_t shapeSlots)
 {
     // Places of boxes that are gone need not be wiped out: a place counts if the box there is the shape's.
     boxes_ = &boxes;

@@ -12,7 +12,7 @@ namespace tamias2d::inline TAMIAS_PRECISION {
 class BoxTree {
 public:
     /// Takes in the boxes as they stand; `boxes` must live and keep its order as long as questions are asked.
-    void build(std::vector<SweepBox>& boxes, std::size_t shapeSlots);
+    void build(Table<SweepBox>& boxes, std::size_t shapeSlots);
     void clear() { boxes_ = nullptr; }
     bool isBuilt() const { return boxes_ != nullptr; }
 
@@ -27,7 +27,7 @@ public:
 private:
     static constexpr std::size_t kFan = 8;
 
-    std::vector<SweepBox>* boxes_ = nullptr;
+    Table<SweepBox>* boxes_ = nullptr;
     std::vector<std::uint32_t> placeOf_;  // by shape slot
     struct Entry {
         float x, y;  // of twice the middle of the box: only neighborhood depends on it

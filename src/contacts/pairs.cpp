@@ -79,7 +79,7 @@ namespace {
 // Brings the pairs of a chunk together with the old contacts that stand among them.
 class Matching {
 public:
-    Matching(const ContactWorld& world, const std::vector<ShapePair>& pairs, const std::vector<Contact>& old,
+    Matching(const ContactWorld& world, const std::vector<ShapePair>& pairs, const Table<Contact>& old,
              MatchScratch& scratch)
         : world_(world), pairs_(pairs), old_(old), scratch_(scratch)
     {
@@ -120,7 +120,7 @@ public:
 private:
     const ContactWorld& world_;
     const std::vector<ShapePair>& pairs_;
-    const std::vector<Contact>& old_;
+    const Table<Contact>& old_;
     MatchScratch& scratch_;
 
     std::size_t firstFrom(const ShapePair& pair) const
@@ -132,8 +132,8 @@ private:
 
 }  // namespace
 
-void matchPairs(const ContactWorld& world, const std::vector<ShapePair>& pairs,
-                std::vector<Contact>& contacts, MatchScratch& scratch, Parallel& parallel)
+void matchPairs(const ContactWorld& world, const std::vector<ShapePair>& pairs, Table<Contact>& contacts,
+                MatchScratch& scratch, Parallel& parallel)
 {
     constexpr std::size_t kGrain = 256;
     Matching matching(world, pairs, contacts, scratch);
@@ -145,7 +145,7 @@ void matchPairs(const ContactWorld& world, const std::vector<ShapePair>& pairs,
     for (std::uint32_t& count : scratch.starts) count = (total += count) - count;
 
     // With room for those that are found in mid-step. The two take turns, so both are as large.
-    std::vector<Contact>& matched = scratch.matched;
+    Table<Contact>& matched = scratch.matched;
     const std::size_t room = pairs.size() + pairs.size() / 4 + 16;
     if (contacts.capacity() < room) contacts.reserve(room + room / 2);
     matched.reserve(contacts.capacity());
@@ -159,7 +159,7 @@ void matchPairs(const ContactWorld& world, const std::vector<ShapePair>& pairs,
     contacts.swap(matched);
 }
 
-void sortContacts(std::vector<Contact>& contacts, MatchScratch& scratch)
+void sortContacts(Table<Contact>& contacts, MatchScratch& scratch)
 {
     const auto before = [](const Contact& a, const Contact& b) { return isBefore(a, {b.shapeA, b.shapeB}); };
     const auto firstLate = std::is_sorted_until(contacts.begin(), contacts.end(), before);
@@ -168,7 +168,7 @@ void sortContacts(std::vector<Contact>& contacts, MatchScratch& scratch)
     for (auto c = firstLate; c != contacts.end(); ++c)
         scratch.late.push_back({{c->shapeA, c->shapeB}, static_cast<std::uint32_t>(c - contacts.begin())});
     std::sort(scratch.late.begin(), scratch.late.end());
-    std::vector<Contact>& late = scratch.matched;
+    Table<Contact>& late = scratch.matched;
     late.clear();
     late.reserve(contacts.capacity());
     for (const auto& [pair, at] : scratch.late) late.push_back(contacts[at]);

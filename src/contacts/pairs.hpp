@@ -29,8 +29,8 @@ Contact makeContact(const ContactWorld& world, const ShapePair& pair);
 
 /// What matching works with; it keeps its memory from step to step.
 struct MatchScratch {
-    std::vector<Contact> matched;
-    std::vector<Contact> left;    // contacts that touched and have no pair any more, in their order
+    Table<Contact> matched;
+    Table<Contact> left;    // contacts that touched and have no pair any more, in their order
     std::vector<std::uint8_t> allowed;      // by pair: may the two collide?
     std::vector<std::uint8_t> leaves;       // by old contact: does it belong into that list?
     std::vector<std::uint32_t> starts;      // by chunk of pairs: where its contacts begin
@@ -40,10 +40,10 @@ struct MatchScratch {
 
 /// Brings the contacts in line with the sorted pairs: old ones keep all they carry, new ones start
 /// empty, those without a pair leave; those of them that touched stand in `scratch.left`.
-void matchPairs(const ContactWorld& world, const std::vector<ShapePair>& pairs,
-                std::vector<Contact>& contacts, MatchScratch& scratch, Parallel& parallel);
+void matchPairs(const ContactWorld& world, const std::vector<ShapePair>& pairs, Table<Contact>& contacts,
+                MatchScratch& scratch, Parallel& parallel);
 
 /// Sorts contacts by their pairs, of which all but some at the end are sorted already.
-void sortContacts(std::vector<Contact>& contacts, MatchScratch& scratch);
+void sortContacts(Table<Contact>& contacts, MatchScratch& scratch);
 
 }  // namespace tamias2d::inline TAMIAS_PRECISION

@@ -55,8 +55,8 @@ ManifoldCounts updateForStep(ContactTable& table, bool same, const ShapeTable& s
                              const MotionTable& motions, const StepContext& context, ExpectedPaths& paths,
                              ManifoldScratch& scratch, Parallel& parallel)
 {
-    std::vector<Contact>& contacts = table.rows;
-    std::vector<ContactFacts>& facts = table.facts;
+    Table<Contact>& contacts = table.rows;
+    Table<ContactFacts>& facts = table.facts;
     facts.reserve(contacts.capacity());
     facts.resize(contacts.size());
     const std::size_t chunks = Parallel::chunksOf(contacts.size(), kPairBatch);

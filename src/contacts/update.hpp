@@ -80,7 +80,7 @@ private:
         std::uint64_t number = 0;  // of the span of time that it is wanted for
         bool turns = false;
     };
-    std::vector<Row> rows_;
+    Table<Row> rows_;
     std::vector<std::uint32_t> wanted_;  // rows
     std::uint64_t number_ = 0;
     real end_ = 0, invH_ = 0;

@@ -58,7 +58,7 @@ Answer answerOf(const ConstraintRow& row, const RowVisit& visit, double before, 
 
 class DirectSolver {
 public:
-    DirectSolver(DirectGroup& group, std::vector<JointRows>& all, const std::vector<Motion>& motions)
+    DirectSolver(DirectGroup& group, std::vector<JointRows>& all, const Table<Motion>& motions)
         : group_(group), all_(all), motions_(motions)
     {
     }
@@ -69,7 +69,7 @@ public:
 private:
     DirectGroup& group_;
     std::vector<JointRows>& all_;
-    const std::vector<Motion>& motions_;
+    const Table<Motion>& motions_;
 
     // The joints, then the contacts.
     std::size_t count() const { return group_.joints.size() + group_.contacts.size(); }
@@ -655,7 +655,7 @@ void DirectSolver::store(std::vector<BodyMotion<real>>& velocities, real& change
 
 }  // namespace
 
-void DirectGroup::build(const std::vector<JointRows>& all, const std::vector<Motion>& motions)
+void DirectGroup::build(const std::vector<JointRows>& all, const Table<Motion>& motions)
 {
     rows.clear();
     const auto addRowsOf = [&](const JointRows& tie) {
@@ -699,7 +699,7 @@ void DirectGroup::build(const std::vector<JointRows>& all, const std::vector<Mot
     analyzed.swap(edges);
 }
 
-real solveDirect(DirectGroup& group, std::vector<JointRows>& all, const std::vector<Motion>& motions,
+real solveDirect(DirectGroup& group, std::vector<JointRows>& all, const Table<Motion>& motions,
                  std::vector<BodyMotion<real>>& velocities)
 {
     DirectSolver solver(group, all, motions);

@@ -36,13 +36,13 @@ struct DirectGroup {
     std::vector<BlockLdl::Edge> edges;  // scratch
 
     /// Finds nodes and order; cheap if nothing has changed since.
-    void build(const std::vector<JointRows>& all, const std::vector<Motion>& motions);
+    void build(const std::vector<JointRows>& all, const Table<Motion>& motions);
 };
 
 /// One visit to all joints of the group together, that leaves nothing for another one. `velocities` are those
 /// of its bodies, by node. Returns the greatest change of a velocity [m/s], or a negative number where no
 /// solution was found; nothing has changed then.
-real solveDirect(DirectGroup& group, std::vector<JointRows>& all, const std::vector<Motion>& motions,
+real solveDirect(DirectGroup& group, std::vector<JointRows>& all, const Table<Motion>& motions,
                  std::vector<BodyMotion<real>>& velocities);
 
 }  // namespace tamias2d::inline TAMIAS_PRECISION

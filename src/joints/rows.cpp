@@ -122,7 +122,7 @@ ConstraintRow& JointRows::add(RowKind kind, int slot, const Jacobian& j, real er
     return row;
 }
 
-void prepareRows(JointRows& joint, const std::vector<Motion>& motions)
+void prepareRows(JointRows& joint, const Table<Motion>& motions)
 {
     const Motion &a = motions[joint.rowA], &b = motions[joint.rowB];
     joint.reach = maximum(a.extent, b.extent);

@@ -97,7 +97,7 @@ struct JointRows {
         return found;
     }
     /// The first of its bodies that can be pushed; there is one.
-    std::uint32_t movingRow(const std::vector<Motion>& motions) const
+    std::uint32_t movingRow(const Table<Motion>& motions) const
     {
         if (motions[rowA].moves()) return rowA;
         for (int k = 0; more && k < more->count; ++k)
@@ -137,7 +137,7 @@ struct BodySet {
 
 /// `velocityOf` says the velocity of a row.
 template <class VelocityOf>
-BodySet bodySetOf(const JointRows& joint, const std::vector<Motion>& motions, VelocityOf velocityOf)
+BodySet bodySetOf(const JointRows& joint, const Table<Motion>& motions, VelocityOf velocityOf)
 {
     BodySet set;
     const auto add = [&](std::uint32_t row) {
@@ -183,7 +183,7 @@ inline void applyTo(const JointRows& joint, int i, real impulse, BodySet& bodies
 }
 
 /// Effective masses for the Jacobians at hand.
-void prepareRows(JointRows& joint, const std::vector<Motion>& motions);
+void prepareRows(JointRows& joint, const Table<Motion>& motions);
 
 /// Impulses and bounds as a tick begins.
 void startRows(JointRows& joint, const JointRow& carried, const StepContext& context);

@@ -81,7 +81,7 @@ constexpr std::size_t kFew = 4;       // bodies of which solving at once costs n
 constexpr std::size_t kMany = 300;    // bodies from which it costs too much
 constexpr std::size_t kFill = 4;      // blocks for each body, likewise
 
-bool isUneven(const JointRows& joint, const std::vector<Motion>& motions)
+bool isUneven(const JointRows& joint, const Table<Motion>& motions)
 {
     if (!joint.more) return areUneven(motions[joint.rowA], motions[joint.rowB], kUnevenTies);
     return joint.anyRow([&](std::uint32_t a) {
@@ -96,7 +96,7 @@ bool isOfSeveral(const JointRow& joint)
     return std::holds_alternative<PulleyJoint>(joint.def.kind) || blocksOf(joint.layout) > 1;
 }
 
-void chooseStiff(JointTable& table, const std::vector<Motion>& motions, JointSystem& system)
+void chooseStiff(JointTable& table, const Table<Motion>& motions, JointSystem& system)
 {
     const std::size_t groups = system.wholeGroups.size();
     std::vector<std::size_t>&members = system.members, &bodies = system.bodies;
@@ -155,7 +155,7 @@ void chooseStiff(JointTable& table, const std::vector<Motion>& motions, JointSys
 
 // Adds the velocity changes of impulses, one for each row of the joint, to the steady ones of its bodies.
 template <class ImpulseOf>
-void addSteadyOf(const JointRows& joint, std::vector<Motion>& rows, ImpulseOf impulseOf)
+void addSteadyOf(const JointRows& joint, Table<Motion>& rows, ImpulseOf impulseOf)
 {
     Motion &a = rows[joint.rowA], &b = rows[joint.rowB];
     BodyMotion<real> va{a.steady, a.steadySpin}, vb{b.steady, b.steadySpin};
@@ -173,7 +173,7 @@ void addSteadyOf(const JointRows& joint, std::vector<Motion>& rows, ImpulseOf im
     }
 }
 
-void addSteadyJoint(const JointTable& table, const JointRows& joint, std::vector<Motion>& rows)
+void addSteadyJoint(const JointTable& table, const JointRows& joint, Table<Motion>& rows)
 {
     const JointRow& carried = table.rows[joint.joint];
     addSteadyOf(joint, rows, [&](int i) { return carried.impulses[joint.rows[i].slot]; });
@@ -313,7 +313,7 @@ real turnMassOf(const JointRows& joint, real pull, const Motion& a, const Motion
 }  // namespace
 
 void guardLightBodies(const JointTable& table, const BodyTable& bodies, JointSystem& system,
-                      std::vector<Motion>& rows, const StepContext& context)
+                      Table<Motion>& rows, const StepContext& context)
 {
     constexpr real kStiff = 4;  // a body may turn by 1/sqrt(this) radians of its swing in a tick
     system.pull.assign(rows.size(), 0);
@@ -348,7 +348,7 @@ void guardLightBodies(const JointTable& table, const BodyTable& bodies, JointSys
     for (JointRows& joint : system.joints) prepareRows(joint, rows);
 }
 
-void releaseGuard(const BodyTable& bodies, std::vector<Motion>& rows)
+void releaseGuard(const BodyTable& bodies, Table<Motion>& rows)
 {
     for (Motion& m : rows) {
         const real own = bodies.rows[m.body].invInertia();
@@ -356,12 +356,12 @@ void releaseGuard(const BodyTable& bodies, std::vector<Motion>& rows)
     }
 }
 
-void addSteadyJoints(const JointTable& table, const JointSystem& system, std::vector<Motion>& rows)
+void addSteadyJoints(const JointTable& table, const JointSystem& system, Table<Motion>& rows)
 {
     for (const JointRows& joint : system.joints) addSteadyJoint(table, joint, rows);
 }
 
-void spreadLoad(JointSystem& system, std::vector<Motion>& rows)
+void spreadLoad(JointSystem& system, Table<Motion>& rows)
 {
     if (system.empty()) return;
     std::fill(system.wholeGroups.begin(), system.wholeGroups.end(), std::uint8_t{0});
@@ -414,7 +414,7 @@ real aimOwn(const JointTable& table, const BodyTable& bodies, const BodySet& set
 namespace {
 
 // What a visited joint did, added to the sums of the step.
-void tally(JointRow& joint, const JointRows& rows, const std::vector<Motion>& motions)
+void tally(JointRow& joint, const JointRows& rows, const Table<Motion>& motions)
 {
     const auto velocityOf = [&](std::uint32_t row) {
         return BodyMotion<real>{motions[row].velocity, motions[row].spin};
@@ -436,12 +436,12 @@ void tally(JointRow& joint, const JointRows& rows, const std::vector<Motion>& mo
 
 }  // namespace
 
-void tallyJoints(JointTable& table, const JointSystem& system, const std::vector<Motion>& rows)
+void tallyJoints(JointTable& table, const JointSystem& system, const Table<Motion>& rows)
 {
     for (const JointRows& joint : system.joints) tally(table.rows[joint.joint], joint, rows);
 }
 
-void turnSteadyJoints(JointSystem& system, std::vector<Motion>& rows, const StepContext& context)
+void turnSteadyJoints(JointSystem& system, Table<Motion>& rows, const StepContext& context)
 {
     for (std::size_t d = 0; d < system.directCount; ++d) system.direct[d].begins = true;
     for (std::size_t i = 0; i < rows.size(); ++i) {

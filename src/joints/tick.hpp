@@ -70,16 +70,16 @@ void measureJoints(JointTable& table, const BodyTable& bodies, const MotionTable
 /// Light bodies between heavy loads turn under them faster than a tick can follow. They are given so much
 /// moment of inertia for the tick that it can [eq. 11].
 void guardLightBodies(const JointTable& table, const BodyTable& bodies, JointSystem& system,
-                      std::vector<Motion>& rows, const StepContext& context);
+                      Table<Motion>& rows, const StepContext& context);
 
 /// After the last tick of a step: their own moments of inertia again.
-void releaseGuard(const BodyTable& bodies, std::vector<Motion>& rows);
+void releaseGuard(const BodyTable& bodies, Table<Motion>& rows);
 
 /// Adds the velocity changes of the impulses that joints carry to `steady`.
-void addSteadyJoints(const JointTable& table, const JointSystem& system, std::vector<Motion>& rows);
+void addSteadyJoints(const JointTable& table, const JointSystem& system, Table<Motion>& rows);
 
 /// Bodies tied to one that bears a load are loaded, too: all of a group is solved the same way.
-void spreadLoad(JointSystem& system, std::vector<Motion>& rows);
+void spreadLoad(JointSystem& system, Table<Motion>& rows);
 
 /// Impulses as the tick begins, and what they aim at, for the velocities after the first kick.
 void startJoints(const JointTable& table, const BodyTable& bodies, const MotionTable& motions,
@@ -103,11 +103,11 @@ real aimJoint(const JointTable& table, const BodyTable& bodies, const MotionTabl
 
 /// After the drift, with the joints measured there: the second half of what they carry becomes `steady` of
 /// the bodies in halves, along the directions that it has now.
-void turnSteadyJoints(JointSystem& system, std::vector<Motion>& rows, const StepContext& context);
+void turnSteadyJoints(JointSystem& system, Table<Motion>& rows, const StepContext& context);
 
 /// After the visits before the drift, and after those that follow it: adds what the joints did in them to the
 /// sums of the step.
-void tallyJoints(JointTable& table, const JointSystem& system, const std::vector<Motion>& rows);
+void tallyJoints(JointTable& table, const JointSystem& system, const Table<Motion>& rows);
 
 /// After the tick: what the joints carry on. A joint of a body that was hit carries what it did before: the
 /// blow is not a load it will bear.

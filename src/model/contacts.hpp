@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "base/pages.hpp"
 #include "narrowphase/manifold.hpp"
 
 #include <cstddef>
@@ -74,8 +75,8 @@ struct ContactFacts {
 
 /// All contacts, sorted by (shapeA, shapeB); those found in mid-step stand at the end until the next.
 struct ContactTable {
-    std::vector<Contact> rows;
-    std::vector<ContactFacts> facts;  // of the rows, one by one, from the manifolds of a step to the next
+    Table<Contact> rows;
+    Table<ContactFacts> facts;  // of the rows, one by one, from the manifolds of a step to the next
     std::vector<std::uint32_t> order;  // in which they are solved: by color, then by row
     std::vector<std::uint32_t> colorEnds;  // where each color ends in it; the last one is solved in order
 };

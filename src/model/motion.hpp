@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "base/pages.hpp"
+
 #include <tamias2d/math/scalar.hpp>
 #include <tamias2d/math/transform.hpp>
 
@@ -76,7 +78,7 @@ struct alignas(64) Motion {
 struct MotionTable {
     static constexpr std::uint32_t kNone = 0xffffffffu;
 
-    std::vector<Motion> rows;
+    Table<Motion> rows;
     std::vector<std::uint32_t> rowOf;  // by body slot; kNone for those that are not here
     std::uint32_t parts = 0;           // how many of the rows took part from the start
     std::vector<std::uint32_t> versions;   // by row: of the pose that manifolds of it are kept for,

@@ -36,7 +36,7 @@ struct ReferencePoses {
     struct Row {
         ReferencePose ofBoxes, ofManifolds;
     };
-    std::vector<Row> rows;   // by number of the MoverRow: what has none has never been in a step
+    Table<Row> rows;   // by number of the MoverRow: what has none has never been in a step
 
     /// Something else about the body has changed: nothing is kept.
     void forget(std::uint32_t mover)

@@ -15,7 +15,7 @@ namespace tamias2d::inline TAMIAS_PRECISION {
 /// each contact has points and at least one of its bodies here, the other here or where nothing pushes it.
 struct SleepGroup {
     std::vector<std::uint32_t> bodies;     // slots
-    std::vector<Contact> contacts;         // sorted by shapes; impulses of the last tick awake
+    Table<Contact> contacts;         // sorted by shapes; impulses of the last tick awake
     std::vector<std::array<double, 3>> lawForces;   // and torque, by body, when the laws were last asked
     bool lawsWereAsked = false;
     bool isMet = false;                    // by a body of the step that is being gathered

@@ -23,7 +23,7 @@ struct BodyRows {
 /// kernel to the next.
 inline constexpr std::size_t kBodyGrain = 128;
 
-inline BodyRows bodiesOf(const Chunk& chunk, std::vector<Motion>& motions, TickRows& rows)
+inline BodyRows bodiesOf(const Chunk& chunk, Table<Motion>& motions, TickRows& rows)
 {
     return {motions.data(), rows, static_cast<std::uint32_t>(chunk.begin),
             static_cast<std::uint32_t>(chunk.end)};

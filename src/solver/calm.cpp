@@ -18,8 +18,8 @@ double inertiaOf(const Motion& m)
 }
 
 // Mass-weighted rigid motion of each island without a ground.
-void measureFreeIslands(const std::vector<Motion>& rows, const std::vector<TickChange>& changes,
-                        const Islands& islands, CalmRows& calmRows)
+void measureFreeIslands(const Table<Motion>& rows, const Table<TickChange>& changes, const Islands& islands,
+                        CalmRows& calmRows)
 {
     std::vector<FreeIsland>& free = calmRows.islands;
     free.assign(islands.count(), {});
@@ -77,7 +77,7 @@ void findCalmRows(const Islands& islands, CalmRows& found)
     }
 }
 
-void calmFloating(std::vector<Motion>& rows, const std::vector<TickChange>& changes, const Islands& islands,
+void calmFloating(Table<Motion>& rows, const Table<TickChange>& changes, const Islands& islands,
                   CalmRows& calmRows, const StepContext& context)
 {
     if (calmRows.floating.empty()) return;

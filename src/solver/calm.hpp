@@ -46,7 +46,7 @@ void findCalmRows(const Islands& islands, CalmRows& found);
 
 /// Slows loaded bodies that are already slow and not speeding up, where their island stands on nothing:
 /// against the island's own motion, whose momentum is kept. docs/theory/calm.md.
-void calmFloating(std::vector<Motion>& rows, const std::vector<TickChange>& changes, const Islands& islands,
+void calmFloating(Table<Motion>& rows, const Table<TickChange>& changes, const Islands& islands,
                   CalmRows& calmRows, const StepContext& context);
 
 }  // namespace tamias2d::inline TAMIAS_PRECISION

@@ -18,7 +18,7 @@ public:
 
     void build(const ContactTable& contacts, const MotionTable& motions, const Islands& islands,
                const StepContext& context) override;
-    bool fits(const std::vector<Contact>& contacts, const std::vector<std::uint8_t>& renewed,
+    bool fits(const Table<Contact>& contacts, const std::vector<std::uint8_t>& renewed,
               const StepContext& context) const override;
     void carryOn(const Islands& islands) override;
     bool hasLane(std::uint32_t contact) const override
@@ -34,11 +34,10 @@ public:
     }
     void unload(std::uint32_t contact, Contact& row) override;
     void drop(std::uint32_t contact) override;
-    void storeAll(std::vector<Contact>& rows) const override;
+    void storeAll(Table<Contact>& rows) const override;
 
-    void loadMarked(const std::vector<std::uint8_t>& marks, std::uint8_t mark,
-                    const std::vector<Contact>& contacts, const MotionTable& motions,
-                    const TickRows& rows) override;
+    void loadMarked(const std::vector<std::uint8_t>& marks, std::uint8_t mark, const Table<Contact>& contacts,
+                    const MotionTable& motions, const TickRows& rows) override;
 
     void prepare(TickRows& rows, const StepContext& context, std::vector<std::uint32_t>& open) override;
     void findApproaching(const TickRows& rows, const StepContext& context, real fastest,
@@ -81,9 +80,9 @@ private:
     Parallel& parallel_;
     StepContext context_;
     std::vector<std::uint32_t> laneOf_;      // by contact: block times W, plus lane
-    std::vector<Block> blocks_;              // color by color
-    std::vector<Block> kept_;
-    std::vector<Source> sources_;
+    Table<Block> blocks_;              // color by color
+    Table<Block> kept_;
+    Table<Source> sources_;
     std::vector<std::size_t> colorEnds_;     // in blocks
     std::vector<std::uint8_t> kinds_;        // by contact: which of these lists it belongs to
     std::vector<std::uint32_t> sorted_[3];   // contacts of a color: of two points, of one, of none yet
@@ -151,7 +150,7 @@ std::uint8_t ContactLanesOf<W>::kindOf(const Contact& c)
 }
 
 template <int W>
-bool ContactLanesOf<W>::fits(const std::vector<Contact>& contacts, const std::vector<std::uint8_t>& renewed,
+bool ContactLanesOf<W>::fits(const Table<Contact>& contacts, const std::vector<std::uint8_t>& renewed,
                              const StepContext& context) const
 {
     const bool isSame = context.h == context_.h && context.tuning == context_.tuning &&
@@ -391,7 +390,7 @@ void ContactLanesOf<W>::unload(std::uint32_t contact, Contact& c)
 // Block by block: two threads must not write lanes of one block.
 template <int W>
 void ContactLanesOf<W>::loadMarked(const std::vector<std::uint8_t>& marks, std::uint8_t mark,
-                                   const std::vector<Contact>& contacts, const MotionTable& motions,
+                                   const Table<Contact>& contacts, const MotionTable& motions,
                                    const TickRows& rows)
 {
     parallel_.forEach(blocks_.size(), kGrain, [&](const Chunk& chunk) {
@@ -403,7 +402,7 @@ void ContactLanesOf<W>::loadMarked(const std::vector<std::uint8_t>& marks, std::
 }
 
 template <int W>
-void ContactLanesOf<W>::storeAll(std::vector<Contact>& rows) const
+void ContactLanesOf<W>::storeAll(Table<Contact>& rows) const
 {
     parallel_.forEach(blocks_.size(), kGrain, [&](const Chunk& chunk) {
         for (std::size_t k = chunk.begin; k < chunk.end; ++k)

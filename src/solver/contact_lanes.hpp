@@ -43,7 +43,7 @@ public:
                        const StepContext& context) = 0;
     /// Is each contact still of the kind that it was when the lanes were built? Only those that are `renewed`
     /// may have changed. Then what is in a lane may stay there for another step.
-    virtual bool fits(const std::vector<Contact>& contacts, const std::vector<std::uint8_t>& renewed,
+    virtual bool fits(const Table<Contact>& contacts, const std::vector<std::uint8_t>& renewed,
                       const StepContext& context) const = 0;
     /// Starts another step with what is in the lanes: sums begin at nothing, islands may be others.
     virtual void carryOn(const Islands& islands) = 0;
@@ -53,7 +53,7 @@ public:
                       const TickRows& rows) = 0;
     /// Takes all contacts that have a lane and this mark into it.
     virtual void loadMarked(const std::vector<std::uint8_t>& marks, std::uint8_t mark,
-                            const std::vector<Contact>& contacts, const MotionTable& motions,
+                            const Table<Contact>& contacts, const MotionTable& motions,
                             const TickRows& rows) = 0;
     /// Looks at a contact that is in its lane.
     virtual LaneView view(std::uint32_t contact) const = 0;
@@ -64,7 +64,7 @@ public:
     /// Takes the contact out of its lane; what the table has of it is newer.
     virtual void drop(std::uint32_t contact) = 0;
     /// Gives impulses and sums of all back, which stay in their lanes.
-    virtual void storeAll(std::vector<Contact>& rows) const = 0;
+    virtual void storeAll(Table<Contact>& rows) const = 0;
 
     /// Arms, gaps and masses at the poses of `rows`; adds the velocity changes of what the contacts carry to
     /// rows.steady. Elastic contacts that carry nothing are no longer plain: they are listed.

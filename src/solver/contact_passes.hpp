@@ -101,7 +101,7 @@ private:
     std::vector<std::uint32_t> colorEnds_;  // of those, in places
     std::vector<std::uint32_t> list_;
     std::vector<std::uint8_t> unrest_, unrestBefore_;  // by island
-    std::vector<Contact> kept_;  // the loose ones, in their order
+    Table<Contact> kept_;  // the loose ones, in their order
     StiffPiles piles_;
 
     void findCrushing(const ContactTable& contacts, const MotionTable& motions, const TickRows& rows,

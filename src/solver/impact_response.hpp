@@ -12,8 +12,7 @@ namespace tamias2d::inline TAMIAS_PRECISION {
 class ImpactResponse {
 public:
     /// `tickStart` is the start of the tick within the step [s]; `flights` are by row.
-    ImpactResponse(ImpactStage& stage, const StepContext& context, std::vector<Flight>& flights,
-                   real tickStart)
+    ImpactResponse(ImpactStage& stage, const StepContext& context, Table<Flight>& flights, real tickStart)
         : stage_(stage), context_(context), flights_(flights), tickStart_(tickStart)
     {
     }
@@ -27,7 +26,7 @@ public:
 private:
     ImpactStage& stage_;
     const StepContext& context_;
-    std::vector<Flight>& flights_;
+    Table<Flight>& flights_;
     const real tickStart_;
 
     const Motion& motion(std::uint32_t row) const { return stage_.motions.rows[row]; }

@@ -72,9 +72,9 @@ struct ImpactScratch {
     ExpectedPaths paths;  // of bodies within the tick, before any impact
     std::vector<std::uint8_t> verdicts;  // on swept contacts, see resweepForTick
     std::vector<std::uint32_t> again;  // those whose ways are to be looked at
-    std::vector<PairRow> pairs;  // by contact
+    Table<PairRow> pairs;  // by contact
     std::vector<std::uint32_t> exhausted;  // searches that ran out of iterations, by chunk
-    std::vector<Flight> flights;  // by row, of those that
+    Table<Flight> flights;  // by row, of those that
     std::vector<std::uint8_t> flies;  // by row: has its flight through this tick been asked for?
     std::vector<std::uint32_t> strays;  // rows that leave their boxes in this tick
     bool kicked = false;  // has an impact acted in this tick?
@@ -84,7 +84,7 @@ struct ImpactScratch {
     };
     std::vector<Start> starts;  // of a tick, by chunk of the bodies
     real fastest = 0;  // no point of any body is faster in the tick   [m/s]
-    std::vector<ImpactPoint> points;  // two for each contact
+    Table<ImpactPoint> points;  // two for each contact
     bool connected = false;  // have the chains been made in this step?
     ContactChains chains;  // of bodies that move; made at the first impact of a step
     std::vector<std::uint32_t> swept;  // contacts that are looked at again in every tick

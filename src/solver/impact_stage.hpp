@@ -41,7 +41,7 @@ struct ImpactStage {
     TickRows& rows;
     JointTable& joints;
     JointSystem& system;
-    std::vector<SweepBox>& boxes;          // of the broad phase: grown for bodies thrown out of theirs
+    Table<SweepBox>& boxes;          // of the broad phase: grown for bodies thrown out of theirs
     std::vector<ImpactRecord>& records;
     ImpactScratch& scratch;
     ClampCounts& clamps;

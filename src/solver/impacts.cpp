@@ -257,7 +257,7 @@ void applyImpacts(ImpactStage& stage, const StepContext& context, int tick)
 
 void startTick(ImpactStage& stage, const StepContext& context, int tick)
 {
-    std::vector<Motion>& motions = stage.motions.rows;
+    Table<Motion>& motions = stage.motions.rows;
     ImpactScratch& scratch = stage.scratch;
     const real t = static_cast<real>(tick) * context.h;
     const TickTime time{tick, t, static_cast<real>(context.dt) - t};

@@ -13,7 +13,7 @@ constexpr real kTrust = 1;   // change of what a joint aims at, after the last p
 
 // One visit to a joint of more than two bodies.
 template <class Velocity>
-real visitMany(JointRows& joint, const std::vector<Motion>& motions, std::vector<Velocity>& velocities)
+real visitMany(JointRows& joint, const Table<Motion>& motions, Table<Velocity>& velocities)
 {
     BodySet set = bodySetOf(joint, motions, [&](std::uint32_t row) { return velocityOf(velocities[row]); });
     const real change = solveRows(joint, set);
@@ -27,7 +27,7 @@ real visitMany(JointRows& joint, const std::vector<Motion>& motions, std::vector
 
 // One visit to a joint; returns the greatest change of speed.
 template <class Velocity>
-real visit(JointRows& joint, const std::vector<Motion>& motions, std::vector<Velocity>& velocities)
+real visit(JointRows& joint, const Table<Motion>& motions, Table<Velocity>& velocities)
 {
     if (joint.more) return visitMany(joint, motions, velocities);
     BodyPair pair{motions[joint.rowA], motions[joint.rowB], velocityOf(velocities[joint.rowA]),
@@ -39,7 +39,7 @@ real visit(JointRows& joint, const std::vector<Motion>& motions, std::vector<Vel
 }
 
 // What a joint aims at, at these velocities; returns by how much that changed.
-real aim(const JointWorld& world, const std::vector<LaneRow>& velocities, JointRows& joint)
+real aim(const JointWorld& world, const Table<LaneRow>& velocities, JointRows& joint)
 {
     const auto velocityAt = [&](std::uint32_t row) { return velocityOf(velocities[row]); };
     return aimJoint(world.joints, world.bodies, world.motions, velocityAt, world.context, joint);
@@ -47,8 +47,8 @@ real aim(const JointWorld& world, const std::vector<LaneRow>& velocities, JointR
 
 // One visit to a group at once; where that finds no solution, to its joints one by one.
 template <class Velocity>
-real visitGroup(DirectGroup& group, JointSystem& system, const std::vector<Motion>& motions,
-                std::vector<Velocity>& velocities)
+real visitGroup(DirectGroup& group, JointSystem& system, const Table<Motion>& motions,
+                Table<Velocity>& velocities)
 {
     std::vector<BodyMotion<real>>& own = system.velocities;
     own.clear();
@@ -66,15 +66,15 @@ real visitGroup(DirectGroup& group, JointSystem& system, const std::vector<Motio
 
 }  // namespace
 
-real visitJoint(JointRows& joint, const std::vector<Motion>& motions, std::vector<LaneRow>& velocities)
+real visitJoint(JointRows& joint, const Table<Motion>& motions, Table<LaneRow>& velocities)
 {
     return visit(joint, motions, velocities);
 }
 
 void passOverJoints(const JointWorld& world, JointSystem& system, real restless, const std::uint8_t* visited,
-                    std::vector<LaneRow>& velocities, std::vector<std::uint8_t>& unrest)
+                    Table<LaneRow>& velocities, std::vector<std::uint8_t>& unrest)
 {
-    const std::vector<Motion>& motions = world.motions.rows;
+    const Table<Motion>& motions = world.motions.rows;
     const auto islandOf = [&](const JointRows& joint) {
         return world.islands.islandOf[joint.movingRow(motions)];
     };
@@ -95,7 +95,7 @@ void passOverJoints(const JointWorld& world, JointSystem& system, real restless,
     }
 }
 
-void flattenJoints(const JointWorld& world, JointSystem& system, std::vector<LaneRow>& velocities)
+void flattenJoints(const JointWorld& world, JointSystem& system, Table<LaneRow>& velocities)
 {
     const real trusted = kTrust * world.context.lengthUnit;
     std::vector<std::uint8_t>& lost = system.lostGroups;
@@ -133,7 +133,7 @@ bool mayBeSoftened(const JointSystem& system, const DirectGroup& group)
 
 }  // namespace
 
-real drivenSpeed(const std::vector<Motion>& motions)
+real drivenSpeed(const Table<Motion>& motions)
 {
     real most = 0;
     for (const Motion& m : motions)
@@ -161,9 +161,8 @@ bool mayThrow(const JointSystem& system)
                        [&](const DirectGroup& group) { return mayBeSoftened(system, group); });
 }
 
-bool softenThrown(JointSystem& system, const std::vector<Motion>& motions, const Islands& islands,
-                  const std::vector<LaneRow>& before, const std::vector<LaneRow>& after,
-                  const StepContext& context)
+bool softenThrown(JointSystem& system, const Table<Motion>& motions, const Islands& islands,
+                  const Table<LaneRow>& before, const Table<LaneRow>& after, const StepContext& context)
 {
     constexpr real kThrown = 4;  // times the fastest so far: more than a whip gains in a tick
     std::vector<real>& fastest = system.fastest;
@@ -191,7 +190,7 @@ bool softenThrown(JointSystem& system, const std::vector<Motion>& motions, const
     return thrown;
 }
 
-void settleJoints(JointSystem& system, std::vector<Motion>& rows, std::vector<TickChange>& changes,
+void settleJoints(JointSystem& system, Table<Motion>& rows, Table<TickChange>& changes,
                   const StepContext& context)
 {
     const real restless = context.tuning.restless * context.lengthUnit;

@@ -21,21 +21,21 @@ struct JointWorld {
 };
 
 /// One visit to a joint; returns the greatest change of speed it made.   [m/s]
-real visitJoint(JointRows& joint, const std::vector<Motion>& motions, std::vector<LaneRow>& velocities);
+real visitJoint(JointRows& joint, const Table<Motion>& motions, Table<LaneRow>& velocities);
 
 /// One pass over the joints, in the islands that `visited` says, which aim anew; over all if it is null. Sets
 /// `unrest` of islands of which a speed was changed by more than `restless` [m/s].
 void passOverJoints(const JointWorld& world, JointSystem& system, real restless, const std::uint8_t* visited,
-                    std::vector<LaneRow>& velocities, std::vector<std::uint8_t>& unrest);
+                    Table<LaneRow>& velocities, std::vector<std::uint8_t>& unrest);
 
 /// After the passes: where bodies turn so fast that these did not find where they go, as near a dead point of
 /// a linkage, joints are asked to move nothing apart instead, and what they did is not carried on.
-void flattenJoints(const JointWorld& world, JointSystem& system, std::vector<LaneRow>& velocities);
+void flattenJoints(const JointWorld& world, JointSystem& system, Table<LaneRow>& velocities);
 
 /// What motors may add to the speeds of a group at most.   [m/s]
 real driveOf(const JointSystem& system, const DirectGroup& group);
 /// The fastest point of bodies that nothing can push.   [m/s]
-real drivenSpeed(const std::vector<Motion>& motions);
+real drivenSpeed(const Table<Motion>& motions);
 
 /// Is there a group that softenThrown looks at?
 bool mayThrow(const JointSystem& system);
@@ -44,13 +44,12 @@ bool mayThrow(const JointSystem& system);
 /// thrown farther than any speed at hand can tell: those groups are solved softly from here on. `before` and
 /// `after` are the velocities of all rows around the passes of a tick; returns whether there was such a
 /// group.
-bool softenThrown(JointSystem& system, const std::vector<Motion>& motions, const Islands& islands,
-                  const std::vector<LaneRow>& before, const std::vector<LaneRow>& after,
-                  const StepContext& context);
+bool softenThrown(JointSystem& system, const Table<Motion>& motions, const Islands& islands,
+                  const Table<LaneRow>& before, const Table<LaneRow>& after, const StepContext& context);
 
 /// After the second kick: what is tied together does not go on moving apart. Adds what that changes to
 /// `changes` and to `steady`.
-void settleJoints(JointSystem& system, std::vector<Motion>& rows, std::vector<TickChange>& changes,
+void settleJoints(JointSystem& system, Table<Motion>& rows, Table<TickChange>& changes,
                   const StepContext& context);
 
 }  // namespace tamias2d::inline TAMIAS_PRECISION

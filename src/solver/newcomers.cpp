@@ -13,7 +13,7 @@ namespace tamias2d::inline TAMIAS_PRECISION {
 
 void enter(ImpactStage& stage, std::uint32_t body, const StepContext& context)
 {
-    std::vector<Motion>& rows = stage.motions.rows;
+    Table<Motion>& rows = stage.motions.rows;
     stage.motions.rowOf[body] = static_cast<std::uint32_t>(rows.size());
     rows.push_back(motionOf(stage.world.bodies, body));
     stage.islands.islandOf.push_back(Islands::kNone);
@@ -29,8 +29,7 @@ void enter(ImpactStage& stage, std::uint32_t body, const StepContext& context)
     lanes.ways.resize(rows.size());
     lanes.poses.push_back(poseRow(rows.back(), rows.back().center));
     lanes.velocities.push_back(laneRow(velocityOf(rows.back())));
-    for (std::vector<LaneRow>* each :
-         {&lanes.steady, &lanes.expected, &lanes.loads, &lanes.pushes, &lanes.spans})
+    for (Table<LaneRow>* each : {&lanes.steady, &lanes.expected, &lanes.loads, &lanes.pushes, &lanes.spans})
         each->resize(rows.size());
 }
 

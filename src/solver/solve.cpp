@@ -17,7 +17,7 @@ namespace {
 // What joints carry, beside what contacts do; what is tied to a loaded body is loaded, too.
 void addSteadyOfJoints(SolverStage& stage, TickRows& lanes)
 {
-    std::vector<Motion>& rows = stage.motions.rows;
+    Table<Motion>& rows = stage.motions.rows;
     for (std::size_t i = 0; i < rows.size(); ++i) takeSteady(rows[i], lanes.steady[i]);
     addSteadyJoints(stage.joints, stage.system, rows);
     spreadLoad(stage.system, rows);
@@ -33,9 +33,9 @@ void storeJointed(SolverStage& stage, const TickRows& lanes)
 }
 
 // The joints at their new places: for what is halved, the second half of what they carry turns with them.
-void turnJoints(SolverStage& stage, std::vector<TickChange>& changes, const StepContext& context)
+void turnJoints(SolverStage& stage, Table<TickChange>& changes, const StepContext& context)
 {
-    std::vector<Motion>& rows = stage.motions.rows;
+    Table<Motion>& rows = stage.motions.rows;
     const auto note = [&](real sign) {
         for (std::size_t i = 0; i < rows.size(); ++i) {
             if (!stage.system.isHalved(i)) continue;
@@ -51,7 +51,7 @@ void turnJoints(SolverStage& stage, std::vector<TickChange>& changes, const Step
 
 void markHits(SolverStage& stage)
 {
-    const std::vector<ImpactKick>& kicks = stage.scratch.rows.kicks;
+    const Table<ImpactKick>& kicks = stage.scratch.rows.kicks;
     stage.system.hit.assign(stage.motions.rows.size(), 0);
     for (std::size_t i = 0; i < kicks.size(); ++i)
         stage.system.hit[i] = kicks[i].before != Vec2{} || kicks[i].after != Vec2{};
@@ -61,7 +61,7 @@ void markHits(SolverStage& stage)
 // so that forces that depend on velocity are second order too.
 std::uint32_t accelerateAfterDrift(SolverStage& stage, const StepContext& context, double time)
 {
-    std::vector<Motion>& rows = stage.motions.rows;
+    Table<Motion>& rows = stage.motions.rows;
     std::vector<std::pair<Vec2, real>>& held = stage.scratch.held;
     held.resize(rows.size());
     for (std::size_t i = 0; i < rows.size(); ++i) {
@@ -83,7 +83,7 @@ std::uint32_t accelerateAfterDrift(SolverStage& stage, const StepContext& contex
 void passOver(SolverStage& stage, const JointWorld& world)
 {
     SolverScratch& scratch = stage.scratch;
-    std::vector<LaneRow>& velocities = scratch.rows.velocities;
+    Table<LaneRow>& velocities = scratch.rows.velocities;
     const bool isWatched = mayThrow(stage.system);
     if (isWatched) {
         scratch.passes.keep(stage.contacts);
@@ -109,7 +109,7 @@ void passOver(SolverStage& stage, const JointWorld& world)
 std::uint32_t driftAll(SolverStage& stage, const StepContext& context, bool pushed, bool together)
 {
     SolverScratch& scratch = stage.scratch;
-    std::vector<Motion>& rows = stage.motions.rows;
+    Table<Motion>& rows = stage.motions.rows;
     const bool kicked = scratch.impacts.kicked;
     std::atomic<std::uint32_t> clamped = 0;
     stage.parallel.forEach(rows.size(), kBodyGrain, [&](const Chunk& chunk) {
@@ -124,7 +124,7 @@ void calm(SolverStage& stage, const StepContext& context)
 {
     if (!(context.tuning.calmRate > 0)) return;
     SolverScratch& scratch = stage.scratch;
-    std::vector<Motion>& rows = stage.motions.rows;
+    Table<Motion>& rows = stage.motions.rows;
     const std::vector<CalmPair>& grounded = scratch.calmRows.grounded;
     stage.parallel.forEach(grounded.size(), kBodyGrain, [&](const Chunk& chunk) {
         scratch.bodies().calm(rows.data(), grounded.data() + chunk.begin, chunk.end - chunk.begin,
@@ -147,7 +147,7 @@ SolverCounts solve(SolverStage& stage, const StepContext& context)
 {
     SolverCounts counts;
     SolverScratch& scratch = stage.scratch;
-    std::vector<Motion>& rows = stage.motions.rows;
+    Table<Motion>& rows = stage.motions.rows;
     TickRows& lanes = scratch.rows;
     std::uint32_t groups = 0;
     scratch.suit(rows.size());

@@ -19,7 +19,7 @@ struct SolverScratch {
     CalmRows calmRows;
     std::vector<std::pair<Vec2, real>> held;   // by row: velocity and spin
     TickRows rows;
-    std::vector<LaneRow> before;               // by row: velocities before the passes
+    Table<LaneRow> before;               // by row: velocities before the passes
     ContactPasses passes;
     ImpactScratch impacts;
 
@@ -47,7 +47,7 @@ struct SolverStage {
     ContactTable& contacts;
     JointTable& joints;
     JointSystem& system;                  ///< the joints at work, measured where the bodies are
-    std::vector<SweepBox>& boxes;
+    Table<SweepBox>& boxes;
     std::vector<ImpactRecord>& impacts;   ///< filled
     std::vector<std::uint32_t>& roused;   ///< filled: sleeping groups that woke in mid-step
     bool sameContacts;                    ///< are they, one by one, those at the end of the last step?

@@ -105,7 +105,7 @@ bool bearsMuch(const Contact& c, const Motion& a, const Motion& b, real h)
     return load > 0 && load * inverse > kBears * forces;
 }
 
-void aim(JointRows& joint, const JointWorld& world, const std::vector<LaneRow>& velocities)
+void aim(JointRows& joint, const JointWorld& world, const Table<LaneRow>& velocities)
 {
     const auto velocityAt = [&](std::uint32_t row) { return velocityOf(velocities[row]); };
     aimJoint(world.joints, world.bodies, world.motions, velocityAt, world.context, joint);
@@ -151,7 +151,7 @@ void StiffPiles::connect(const ContactTable& contacts, const MotionTable& motion
 void StiffPiles::findCandidates(const ContactTable& contacts, const MotionTable& motions,
                                 const JointSystem& joints)
 {
-    const std::vector<Motion>& rows = motions.rows;
+    const Table<Motion>& rows = motions.rows;
     touching_.assign(near_.count(), 0);
     refused_.assign(near_.count(), 0);
     candidates_.assign(near_.count(), 0);
@@ -248,9 +248,9 @@ void StiffPiles::fill(std::size_t first, ContactTable& contacts, JointSystem& jo
 
 // The rows of a tick.
 void StiffPiles::start(StiffPile& pile, const ContactTable& contacts, const JointWorld& world,
-                       JointSystem& joints, std::vector<LaneRow>& velocities)
+                       JointSystem& joints, Table<LaneRow>& velocities)
 {
-    const std::vector<Motion>& motions = world.motions.rows;
+    const Table<Motion>& motions = world.motions.rows;
     pile.group.begins = true;
     pile.group.negligible = kNegligible * static_cast<double>(world.context.lengthUnit);
     pile.group.contacts.clear();
@@ -272,7 +272,7 @@ bool StiffPiles::isThrown(const StiffPile& pile, const std::vector<BodyMotion<re
                           const JointWorld& world, const JointSystem& joints) const
 {
     constexpr real kThrown = 4;  // times the fastest so far
-    const std::vector<Motion>& motions = world.motions.rows;
+    const Table<Motion>& motions = world.motions.rows;
     const auto speedOf = [&](const BodyMotion<real>& v, std::uint32_t row) {
         return length(v.velocity) + absolute(v.spin) * motions[row].extent;
     };
@@ -287,10 +287,10 @@ bool StiffPiles::isThrown(const StiffPile& pile, const std::vector<BodyMotion<re
 }
 
 real StiffPiles::visit(StiffPile& pile, ContactTable& contacts, const JointWorld& world, JointSystem& joints,
-                       std::vector<LaneRow>& velocities)
+                       Table<LaneRow>& velocities)
 {
     DirectGroup& group = pile.group;
-    const std::vector<Motion>& motions = world.motions.rows;
+    const Table<Motion>& motions = world.motions.rows;
     own_.clear();
     for (const std::uint32_t row : group.rows) own_.push_back(velocityOf(velocities[row]));
     before_ = own_;
@@ -312,9 +312,9 @@ real StiffPiles::visit(StiffPile& pile, ContactTable& contacts, const JointWorld
 // No solution: what is tied and touches is visited one by one, softly, for the rest of the step, and not
 // tried again for some. Returns what the first of these visits changed.
 real StiffPiles::disband(StiffPile& pile, ContactTable& contacts, const JointWorld& world,
-                         JointSystem& joints, std::vector<LaneRow>& velocities)
+                         JointSystem& joints, Table<LaneRow>& velocities)
 {
-    const std::vector<Motion>& motions = world.motions.rows;
+    const Table<Motion>& motions = world.motions.rows;
     const DirectGroup& group = pile.group;
     ++fallbacks_;
     pile.failed = true;
@@ -341,8 +341,7 @@ real StiffPiles::disband(StiffPile& pile, ContactTable& contacts, const JointWor
 }
 
 bool StiffPiles::pass(std::size_t first, bool anew, ContactTable& contacts, const JointWorld& world,
-                      JointSystem& joints, std::vector<LaneRow>& velocities,
-                      std::vector<std::uint8_t>& unrest)
+                      JointSystem& joints, Table<LaneRow>& velocities, std::vector<std::uint8_t>& unrest)
 {
     const real restless = world.context.tuning.restless * world.context.lengthUnit;
     bool left = false;
@@ -391,9 +390,9 @@ void StiffPiles::forgetBlows(ContactTable& contacts, const MotionTable& motions,
 
 // All overlaps at once, through whatever lies between; what joints tie stays together.
 void StiffPiles::pushApart(ContactTable& contacts, const JointWorld& world, const JointSystem& joints,
-                           std::vector<LaneRow>& pushes, ClampCounts& clamps)
+                           Table<LaneRow>& pushes, ClampCounts& clamps)
 {
-    const std::vector<Motion>& motions = world.motions.rows;
+    const Table<Motion>& motions = world.motions.rows;
     const std::vector<JointRows> none;
     for (std::size_t p = 0; p < count_; ++p) {
         StiffPile& pile = piles_[p];

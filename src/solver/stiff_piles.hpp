@@ -64,7 +64,7 @@ public:
     /// One pass over the piles from `first` on: over all that is new to the tick, or restless. Returns
     /// whether one still is.
     bool pass(std::size_t first, bool anew, ContactTable& contacts, const JointWorld& world,
-              JointSystem& joints, std::vector<LaneRow>& velocities, std::vector<std::uint8_t>& unrest);
+              JointSystem& joints, Table<LaneRow>& velocities, std::vector<std::uint8_t>& unrest);
 
     /// At the end of a tick: what a contact has borne for the first time may be a blow, and is carried on
     /// only in part.
@@ -72,7 +72,7 @@ public:
 
     /// Displacements that undo overlaps, of all that is solved at once.
     void pushApart(ContactTable& contacts, const JointWorld& world, const JointSystem& joints,
-                   std::vector<LaneRow>& pushes, ClampCounts& clamps);
+                   Table<LaneRow>& pushes, ClampCounts& clamps);
 
     /// At the end of a step: which stay so.
     void end(ContactTable& contacts, const MotionTable& motions, const StepContext& context);
@@ -102,13 +102,13 @@ private:
     void findCandidates(const ContactTable& contacts, const MotionTable& motions, const JointSystem& joints);
     void fill(std::size_t first, ContactTable& contacts, JointSystem& joints);
     void start(StiffPile& pile, const ContactTable& contacts, const JointWorld& world, JointSystem& joints,
-               std::vector<LaneRow>& velocities);
+               Table<LaneRow>& velocities);
     bool isThrown(const StiffPile& pile, const std::vector<BodyMotion<real>>& before, const JointWorld& world,
                   const JointSystem& joints) const;
     real disband(StiffPile& pile, ContactTable& contacts, const JointWorld& world, JointSystem& joints,
-                 std::vector<LaneRow>& velocities);
+                 Table<LaneRow>& velocities);
     real visit(StiffPile& pile, ContactTable& contacts, const JointWorld& world, JointSystem& joints,
-               std::vector<LaneRow>& velocities);
+               Table<LaneRow>& velocities);
 };
 
 }  // namespace tamias2d::inline TAMIAS_PRECISION

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "base/pages.hpp"
 #include "math/lane_rows.hpp"
 #include "model/motion.hpp"
 
@@ -53,18 +54,18 @@ struct alignas(4 * sizeof(double)) StartPlace {
 /// What the lanes read and write of bodies in a tick, four numbers a row, beside each other in memory. All by
 /// row of the MotionTable.
 struct TickRows {
-    std::vector<StartPlace> origins;
-    std::vector<LaneRow> poses;  // way of the center since then [m], cosine and sine
-    std::vector<LaneRow> velocities;  // of the center [m/s], spin [rad/s]
-    std::vector<LaneRow> steady;  // Motion::steady [m/s], steadySpin [rad/s]; w is 1 where a load is
-    std::vector<LaneRow> expected;  // accelerations of a flight [m/s^2], [rad/s^2]; w: see fastestPoint
-    std::vector<LaneRow> loads;  // Motion::steady [m/s], Motion::acceleration [m/s^2], as the tick begins
-    std::vector<LaneRow> pushes;  // displacements, as velocities over a tick [m/s], [rad/s]
-    std::vector<TickChange> changes;
-    std::vector<ImpactKick> kicks;
-    std::vector<PredictedWay> predicted;  // of the step
-    std::vector<Way> ways;  // in the last tick
-    std::vector<LaneRow> spans;  // velocities as a tick begins and, if nothing happens, as it ends   [m/s]
+    Table<StartPlace> origins;
+    Table<LaneRow> poses;  // way of the center since then [m], cosine and sine
+    Table<LaneRow> velocities;  // of the center [m/s], spin [rad/s]
+    Table<LaneRow> steady;  // Motion::steady [m/s], steadySpin [rad/s]; w is 1 where a load is
+    Table<LaneRow> expected;  // accelerations of a flight [m/s^2], [rad/s^2]; w: see fastestPoint
+    Table<LaneRow> loads;  // Motion::steady [m/s], Motion::acceleration [m/s^2], as the tick begins
+    Table<LaneRow> pushes;  // displacements, as velocities over a tick [m/s], [rad/s]
+    Table<TickChange> changes;
+    Table<ImpactKick> kicks;
+    Table<PredictedWay> predicted;  // of the step
+    Table<Way> ways;  // in the last tick
+    Table<LaneRow> spans;  // velocities as a tick begins and, if nothing happens, as it ends   [m/s]
 };
 
 inline LaneRow laneRow(const BodyMotion<real>& motion, real w = 0)

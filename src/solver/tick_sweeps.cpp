@@ -12,7 +12,7 @@ namespace tamias2d::inline TAMIAS_PRECISION {
 namespace {
 
 // Takes from how a pair is apart what its bodies went in the last tick.
-void keepApart(PairRow& pair, const std::vector<Way>& ways)
+void keepApart(PairRow& pair, const Table<Way>& ways)
 {
     const Way &a = ways[pair.rowA], &b = ways[pair.rowB];
     const Vec2 shift = b.shift - a.shift;
@@ -44,7 +44,7 @@ PairRow pairRowOf(const Contact& c)
 void startSweeps(ImpactStage& stage, const StepContext& context, const std::vector<std::uint8_t>* renewed)
 {
     ImpactScratch& scratch = stage.scratch;
-    std::vector<PredictedWay>& predicted = stage.rows.predicted;
+    Table<PredictedWay>& predicted = stage.rows.predicted;
     predicted.clear();
     for (const Motion& m : stage.motions.rows) {
         const LaneRow& pose = stage.rows.poses[predicted.size()];
@@ -64,7 +64,7 @@ void startSweeps(ImpactStage& stage, const StepContext& context, const std::vect
     }
     scratch.tree.clear();  // the boxes are new
     scratch.connected = false;
-    const std::vector<Contact>& contacts = stage.contacts.rows;
+    const Table<Contact>& contacts = stage.contacts.rows;
     // With room for the contacts that are found in mid-step.
     const std::size_t room = contacts.capacity();
     stage.contacts.order.reserve(room);
@@ -85,8 +85,8 @@ void startSweeps(ImpactStage& stage, const StepContext& context, const std::vect
 
 void resweepForTick(ImpactStage& stage, const StepContext& context)
 {
-    const std::vector<Way>& ways = stage.rows.ways;
-    const std::vector<LaneRow>& spans = stage.rows.spans;
+    const Table<Way>& ways = stage.rows.ways;
+    const Table<LaneRow>& spans = stage.rows.spans;
     const ShapeTable& shapes = stage.world.shapes;
     ImpactScratch& scratch = stage.scratch;
 

@@ -217,7 +217,7 @@ void World::Impl::moveCenter(std::uint32_t slot, Position origin, Vec2 before, V
     if (center != before) {
         for (const std::uint32_t s : shapes.of(b)) rebuildConvex(s);
         if (b.enabled && !b.takesPart) placeAll(slot, false);
-        const auto moveAnchors = [&](std::vector<Contact>& all) {  // they are seen from the center of mass
+        const auto moveAnchors = [&](Table<Contact>& all) {  // they are seen from the center of mass
             for (Contact& contact : all) {
                 for (ContactPointRow& point : contact.points) {
                     if (shapes.rows[contact.shapeA].body == slot) point.anchor.localA += before - center;

@@ -126,7 +126,7 @@ struct World::Impl {
 
     // Scratch that keeps its memory from step to step.
     MotionTable motions;
-    std::vector<SweepBox> boxes;
+    Table<SweepBox> boxes;
     std::vector<std::uint32_t> chunkStarts;
     ChunkLists<RestPair> foundResting;          // by chunk of boxes
     std::vector<ShapePair> restPairs;           // of a box and what holds still

@@ -143,7 +143,7 @@ void World::Impl::wakeTouching(std::uint32_t slot, std::uint32_t only)
     std::sort(near.begin(), near.end());
     near.erase(std::unique(near.begin(), near.end()), near.end());
     for (const std::uint32_t group : near) {
-        const std::vector<Contact>& theirs = asleep.groups[group].contacts;
+        const Table<Contact>& theirs = asleep.groups[group].contacts;
         const bool touches = std::any_of(theirs.begin(), theirs.end(), [&](const Contact& c) {
             if (only != kNoShape) return c.shapeA == only || c.shapeB == only;
             return shapes.rows[c.shapeA].body == slot || shapes.rows[c.shapeB].body == slot;

@@ -27,7 +27,7 @@ bool byShapes(const TouchEvent& a, const TouchEvent& b)
 // Who can be pushed, and whether all that cannot be holds still. Returns whether all is as before.
 bool readRows(const MotionTable& motions, GraphScratch& graph)
 {
-    const std::vector<Motion>& rows = motions.rows;
+    const Table<Motion>& rows = motions.rows;
     bool isSame = graph.movable.size() == rows.size(), groundsMove = false;
     graph.movable.resize(rows.size());
     for (std::size_t i = 0; i < rows.size(); ++i) {
@@ -44,7 +44,7 @@ bool readRows(const MotionTable& motions, GraphScratch& graph)
 // Who meets whom, and how near. Returns whether all are as near as before; they are the `same` pairs.
 bool readContacts(const ContactTable& contacts, bool same, GraphScratch& graph, Parallel& parallel)
 {
-    const std::vector<ContactFacts>& facts = contacts.facts;
+    const Table<ContactFacts>& facts = contacts.facts;
     std::atomic<bool> isSame = same;
     graph.pairs.resize(facts.size());
     graph.nearness.resize(facts.size());

@@ -12,7 +12,7 @@
 namespace tamias2d {
 namespace {
 
-std::vector<ShapePair> pairsByBruteForce(const std::vector<SweepBox>& boxes)
+std::vector<ShapePair> pairsByBruteForce(const Table<SweepBox>& boxes)
 {
     std::vector<ShapePair> pairs;
     for (const SweepBox& a : boxes)
@@ -27,7 +27,7 @@ TEST(Sweep, FindsThePairsThatComparingAllWithAllFinds)
 {
     TRACES("R7", "T5");
     for (unsigned seed = 1; seed <= 20; ++seed) {
-        std::vector<SweepBox> boxes = randomBoxes(seed < 20 ? 200 : 2000, seed);
+        Table<SweepBox> boxes = randomBoxes(seed < 20 ? 200 : 2000, seed);
         const std::vector<ShapePair> expected = pairsByBruteForce(boxes);
         std::vector<ShapePair> pairs;
         SweepScratch scratch;
@@ -41,9 +41,9 @@ TEST(Sweep, FindsThePairsThatComparingAllWithAllFinds)
 
 // n boxes of bodies of their own, of which every third does not move.
 template <class Place>
-std::vector<SweepBox> boxesAt(std::uint32_t n, Place place)
+Table<SweepBox> boxesAt(std::uint32_t n, Place place)
 {
-    std::vector<SweepBox> boxes;
+    Table<SweepBox> boxes;
     for (std::uint32_t i = 0; i < n; ++i) boxes.push_back({place(i), i, i, i % 3 != 0});
     return boxes;
 }
@@ -57,7 +57,7 @@ TEST(Sweep, FindsThemHoweverTheWorldIsLaidOut)
     std::mt19937 random(7);
     std::uniform_real_distribution<double> exponent(-9, 9), side(-1, 1);
     const auto any = [&] { return side(random) * std::pow(10, exponent(random)); };
-    const std::vector<std::pair<const char*, std::vector<SweepBox>>> worlds{
+    const std::vector<std::pair<const char*, Table<SweepBox>>> worlds{
         {"none", {}},
         {"one", boxesAt(1, [&](auto) { return square(0, 0, 1); })},
         {"a tall column", boxesAt(300, [&](auto i) { return square(0, i, 0.51); })},
@@ -91,7 +91,7 @@ TEST(Sweep, FindsThemHoweverTheWorldIsLaidOut)
 TEST(Sweep, ForgetsTheOrderInWhichBoxesWereGiven)
 {
     TRACES("ADR6");
-    std::vector<SweepBox> forward = randomBoxes(150, 5), backward = forward;
+    Table<SweepBox> forward = randomBoxes(150, 5), backward = forward;
     std::reverse(backward.begin(), backward.end());
     std::vector<ShapePair> one, other;
     SweepScratch scratch;
@@ -105,7 +105,7 @@ TEST(Sweep, ForgetsTheOrderInWhichBoxesWereGiven)
 TEST(Sweep, TouchingEdgesAreAPairAndBoxesAtRestAreNone)
 {
     TRACES("T5");
-    std::vector<SweepBox> boxes{
+    Table<SweepBox> boxes{
         {{{0, 0}, {1, 1}}, 0, 0, true}, {{{1, 0}, {2, 1}}, 1, 1, false}, {{{1.5, 0}, {3, 1}}, 2, 2, false}};
     std::vector<ShapePair> pairs;
     SweepScratch scratch;

@@ -8,8 +8,7 @@
 namespace tamias2d {
 namespace {
 
-std::vector<std::uint32_t> byBruteForce(const std::vector<SweepBox>& boxes, const Aabb& box,
-                                        std::uint32_t body)
+std::vector<std::uint32_t> byBruteForce(const Table<SweepBox>& boxes, const Aabb& box, std::uint32_t body)
 {
     std::vector<std::uint32_t> found;
     for (std::uint32_t i = 0; i < boxes.size(); ++i)
@@ -21,7 +20,7 @@ TEST(BoxTree, FindsTheBoxesThatLookingAtAllFinds)
 {
     TRACES("R7", "T5");
     for (const std::uint32_t count : {0u, 1u, 7u, 8u, 9u, 64u, 65u, 600u}) {
-        std::vector<SweepBox> boxes = randomBoxes(count, count);
+        Table<SweepBox> boxes = randomBoxes(count, count);
         BoxTree tree;
         tree.build(boxes, count);
         std::vector<std::uint32_t> found;
@@ -35,7 +34,7 @@ TEST(BoxTree, FindsTheBoxesThatLookingAtAllFinds)
 TEST(BoxTree, FindsABoxThatHasGrownWhereItIsNow)
 {
     TRACES("R7", "T5");
-    std::vector<SweepBox> boxes = randomBoxes(300, 3);
+    Table<SweepBox> boxes = randomBoxes(300, 3);
     BoxTree tree;
     tree.build(boxes, boxes.size());
     const Aabb far{{500, -3}, {510, 4}};
@@ -51,7 +50,7 @@ TEST(BoxTree, FindsABoxThatHasGrownWhereItIsNow)
 TEST(BoxTree, KnowsNoBoxOfAShapeThatHasNone)
 {
     TRACES("R7");
-    std::vector<SweepBox> boxes = randomBoxes(10, 4);
+    Table<SweepBox> boxes = randomBoxes(10, 4);
     boxes.erase(boxes.begin() + 3);
     BoxTree tree;
     tree.build(boxes, 12);

@@ -18,7 +18,7 @@ using namespace test;
 // Discs in a tangle, each tied to the one before and the first to a hook, that go about the same way; the
 // last one is heavy. Some ropes are slack. What they carry from before is far more than there is to bear.
 struct Ropes {
-    std::vector<Motion> motions{1};  // the hook
+    Table<Motion> motions{1};  // the hook
     std::vector<JointRows> joints;
     std::vector<BodyMotion<real>> velocities;
     DirectGroup group;
