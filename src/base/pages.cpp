@@ -25,7 +25,7 @@ std::size_t wholePages(std::size_t bytes)
 
 // Equal rows of tables that all began at a page would meet in the same few places of the caches: each begins
 // some cache lines farther on than the one before.
-constexpr std::size_t kStagger = 73 * 64, kBeginnings = 16;
+constexpr std::size_t kStagger = 73 * kCacheLine, kBeginnings = 16;
 std::size_t nextBeginning()
 {
     static std::atomic<std::size_t> count = 0;

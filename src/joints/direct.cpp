@@ -22,8 +22,7 @@ constexpr double kRigid = 1e-7, kRope = 1e-6, kBounded = 1e-2, kTouch = 1e-6, kR
 constexpr int kMostSteps = 40;  // of Newton's method, for one set of impulses before
 constexpr int kMostOfAll = 60;  // of them, where there are contacts: then those do not get harder
 constexpr double kSame = 1e-4;  // times what is negligible: a step of Newton's method that is none
-constexpr double kLoosest = 1e4;  // times the gammas of contacts, at first
-constexpr int kStages = 5;  // by a tenth each, to 1
+constexpr double kLooseness[] = {1e4, 1e3, 1e2, 1e1, 1};  // times the gammas of contacts, one after the other
 constexpr int kMostTrials = 20;  // of the length of a step
 constexpr double kEven = 1e-6, kEvenEnough = 1e-1;  // of the descent at its start, there; with contacts
 constexpr double kTurned = 1e-9;  // of a speed: what may be left where a force turns under its bound
@@ -562,9 +561,8 @@ bool DirectSolver::solveContacts()
 {
     bool found = false;
     steps_ = 0;
-    double looseness = 10 * kLoosest;
-    for (int stage = 0; stage < kStages && steps_ < kMostOfAll; ++stage) {
-        looseness /= 10;
+    for (const double looseness : kLooseness) {
+        if (steps_ >= kMostOfAll) break;
         takeGammas(kRope, looseness);
         group_.kept = group_.velocity;
         if (!converge()) {

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: MIT
+#include "box2d_hinge.hpp"
 #include "engine.hpp"
 
 #include <box2d/box2d.h>
-
-#include <algorithm>
 
 // Box2D 2.4 with the iterations its manual recommends.
 namespace tamias2d::bench {
@@ -90,16 +89,7 @@ private:
         def.localAnchorA = toB2(joint.anchorA);
         def.localAnchorB = toB2(joint.anchorB);
         def.referenceAngle = static_cast<float>(joint.reference);
-        if (const auto& l = joint.limits) {
-            def.enableLimit = true;
-            def.lowerAngle = static_cast<float>(l->lower);
-            def.upperAngle = static_cast<float>(l->upper);
-        }
-        if (const auto& m = joint.motor) {
-            def.enableMotor = true;
-            def.motorSpeed = static_cast<float>(m->speed);
-            def.maxMotorTorque = static_cast<float>(std::min<double>(m->maxTorque, b2_maxFloat));
-        }
+        setLimitsAndMotor(joint, def);
         world_.CreateJoint(&def);
     }
 

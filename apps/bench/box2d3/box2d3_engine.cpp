@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: MIT
+#include "box2d_hinge.hpp"
 #include "engine.hpp"
 
 #include <box2d/box2d.h>
 
-#include <algorithm>
 #include <cmath>
-#include <limits>
 
 // Box2D 3 with its defaults: 4 sub-steps.
 namespace tamias2d::bench {
@@ -15,8 +14,6 @@ b2Vec2 toB2(Vec v)
 {
     return {static_cast<float>(v.x), static_cast<float>(v.y)};
 }
-
-constexpr float kGreatest = std::numeric_limits<float>::max();
 
 class Box2DEngine final : public Engine {
 public:
@@ -91,16 +88,7 @@ private:
         def.base.bodyIdB = bodies_[joint.b];
         def.base.localFrameA = {toB2(joint.anchorA), b2MakeRot(static_cast<float>(joint.reference))};
         def.base.localFrameB.p = toB2(joint.anchorB);
-        if (const auto& l = joint.limits) {
-            def.enableLimit = true;
-            def.lowerAngle = static_cast<float>(l->lower);
-            def.upperAngle = static_cast<float>(l->upper);
-        }
-        if (const auto& m = joint.motor) {
-            def.enableMotor = true;
-            def.motorSpeed = static_cast<float>(m->speed);
-            def.maxMotorTorque = static_cast<float>(std::min<double>(m->maxTorque, kGreatest));
-        }
+        setLimitsAndMotor(joint, def);
         if (const auto& s = joint.spring) {
             def.enableSpring = true;
             def.hertz = static_cast<float>(s->frequency);
