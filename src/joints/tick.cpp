@@ -77,6 +77,7 @@ void groupBodies(const MotionTable& motions, JointSystem& system)
 
 constexpr real kGive = real(1e-3);    // of the arms: what a soft joint may give way
 constexpr int kHold = 30;             // steps for which a group stays so
+constexpr int kLasting = 4;           // ticks on end: what is over sooner is a blow or corrects an error
 constexpr std::size_t kFew = 4;       // bodies of which solving at once costs no more
 constexpr std::size_t kMany = 300;    // bodies from which it costs too much
 constexpr std::size_t kFill = 4;      // blocks for each body, likewise
@@ -465,6 +466,7 @@ void keepJoints(JointTable& table, const JointSystem& system, const StepContext&
         std::copy(std::begin(kept.held), std::end(kept.held), std::begin(held));
         std::fill(std::begin(kept.impulses), std::end(kept.impulses), real(0));
         std::fill(std::begin(kept.held), std::end(kept.held), false);
+        bool strained = false;
         for (int i = 0; i < joint.count; ++i) {
             const ConstraintRow& row = joint.rows[i];
             real& carried = kept.impulses[row.slot];
@@ -474,13 +476,15 @@ void keepJoints(JointTable& table, const JointSystem& system, const StepContext&
             const real arms = length(joint.armA) + length(joint.armB);
             const real give = row.angular ? real(0) : predictedGive(row, carried, context.h);
             const bool bears = row.kind == RowKind::Rigid || row.bears;
-            if (bears && give > kGive * arms) kept.stiffSteps = kHold;
+            strained = strained || (bears && give > kGive * arms);
             if (row.kind != RowKind::Limit) continue;
             // The blow with which a limit is met is not a load it will bear.
             const int side = row.slot - JointSlot::kLower;
             kept.held[side] = carried > 0;
             if (!held[side]) carried = 0;
         }
+        kept.strainedTicks = strained ? minimum(kept.strainedTicks + 1, kLasting) : 0;
+        if (kept.strainedTicks >= kLasting) kept.stiffSteps = kHold;
     }
 }
 

@@ -189,6 +189,31 @@ TEST(StiffJoints, ATrussOfFiveByFiveNodesBearsAThousandTimesOneOfThem)
     EXPECT_LT(length(nodes[(kSide - 1) * kSide].position() - Position{4, 0}), 1e-3);
 }
 
+// Eight links that fall, each turned by 0.05 rad beyond its limit at the start, in turn to either side.
+TEST(StiffJoints, AnErrorOfTheStartIsNoLoad)
+{
+    TRACES("LC3");
+    World world;
+    std::vector<Joint> joints;
+    Body last = addBox(world, {0.25, 0}, 0.5, 0.1);
+    for (int i = 1; i < 8; ++i) {
+        Body link = addBox(world, {0.5 * i + 0.25, 0}, 0.5, 0.1);
+        JointDef hinge = revoluteAt(last, link, {0.5 * i, 0});
+        std::get<RevoluteJoint>(hinge.kind).limits =
+            i % 2 == 0 ? JointLimits{toReal(0.05), 1} : JointLimits{-1, toReal(-0.05)};
+        joints.push_back(world.createJoint(hinge));
+        last = link;
+    }
+    keepApart(world);
+    std::uint32_t stiff = 0;
+    runSeconds(world, 1, 60, 4, [&] { stiff += world.lastReport().stiffGroups; });
+    EXPECT_EQ(stiff, 0u);
+    for (const Joint& joint : joints) {
+        EXPECT_LT(joint.reading().angularError, toReal(1e-3));
+        EXPECT_LT(joint.reading().error, toReal(1e-4));
+    }
+}
+
 TEST(StiffJoints, ABeamOfWeldsBearsAThousandTimesItsPart)
 {
     TRACES("LC3", "NFR2");
