@@ -405,6 +405,8 @@ bool DirectSolver::factor()
         double mass[3];
         fillMasses(motions_[group_.rows[n]], mass);
         for (int i = 0; i < 3; ++i) group_.matrix.diagonal(static_cast<int>(n)).a[4 * i] = mass[i];
+        if (!group_.turnStiffness.empty())
+            group_.matrix.diagonal(static_cast<int>(n)).a[8] += group_.turnStiffness[n];
     }
     for (std::size_t j = 0; j < count(); ++j) addRows(j);
     group_.factored = group_.states;
@@ -455,6 +457,8 @@ void DirectSolver::residual(std::vector<double>& out)
         fillMasses(motions_[group_.rows[n]], mass);
         for (std::size_t i = 0; i < 3; ++i)
             out[3 * n + i] = mass[i] * (group_.start[3 * n + i] - group_.velocity[3 * n + i]);
+        if (!group_.turnStiffness.empty())
+            out[3 * n + 2] -= group_.turnStiffness[n] * group_.velocity[3 * n + 2];
     }
     for (std::size_t j = 0; j < count(); ++j) {
         const JointRows& rows = joint(j);

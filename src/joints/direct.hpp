@@ -25,6 +25,8 @@ struct DirectGroup {
     bool begins = true;  // its first visit is to come
     std::vector<double> given;  // three numbers a node   [m/s], [rad/s]
 
+    std::vector<double> turnStiffness;  // by node, added to its moment of inertia; empty: none   [kg*m^2]
+
     // Of the solve at hand.
     std::vector<double> start, velocity, step, left, kept;  // three numbers a node
     std::vector<double> impulses, before;  // by joint and row

@@ -16,9 +16,6 @@ constexpr real kFade = static_cast<real>(kTurn / (2 * kDamping + kTurn));  // of
 constexpr real kFirm = static_cast<real>(kBlend / (1 + kBlend));
 constexpr real kLoose = static_cast<real>(1 / (1 + kBlend));
 
-// What has come apart, as by hand, comes back no faster than this.
-constexpr real kReturn = 20;  // [lengthUnit/s] or [rad/s]
-
 // Springs that swing faster than this in a tick are damped by it rather than followed [eq. 9].
 constexpr real kFastSpring = 1;  // [rad]
 

@@ -9,6 +9,9 @@
 
 namespace tamias2d::inline TAMIAS_PRECISION {
 
+/// What has come apart, as by hand, comes back no faster than this.   [lengthUnit/s] or [rad/s]
+inline constexpr real kReturn = 20;
+
 /// A direction in the space of the two bodies' velocities, and the speed along it [eq. 1].
 struct Jacobian {
     Vec2 linearA, linearB;

@@ -313,26 +313,39 @@ real turnMassOf(const JointRows& joint, real pull, const Motion& a, const Motion
 
 }  // namespace
 
+namespace {
+
+constexpr real kStiff = 4;  // a body may turn by 1/sqrt(this) radians of its swing in a tick
+
+// What a joint pulls at its bodies, by the impulse of each row. Returns its impulse on B.
+template <class ImpulseOf>
+Vec2 addPull(const JointRows& joint, ImpulseOf impulseOf, std::vector<real>& pull)
+{
+    Vec2 onA, onB;
+    for (int i = 0; i < joint.count; ++i) {
+        onA += impulseOf(i) * joint.rows[i].j.linearA;
+        onB += impulseOf(i) * joint.rows[i].j.linearB;
+    }
+    pull[joint.rowA] += length(joint.armA) * length(onA);
+    pull[joint.rowB] += length(joint.armB) * length(onB);
+    for (int k = 0; joint.more && k < joint.more->count; ++k) {
+        Vec2 on;
+        for (int i = 0; i < joint.count; ++i) on += impulseOf(i) * joint.more->parts[i][k].linear;
+        pull[joint.more->rows[k]] += length(joint.more->arms[k]) * length(on);
+    }
+    return onB;
+}
+
+}  // namespace
+
 void guardLightBodies(const JointTable& table, const BodyTable& bodies, JointSystem& system,
                       Table<Motion>& rows, const StepContext& context)
 {
-    constexpr real kStiff = 4;  // a body may turn by 1/sqrt(this) radians of its swing in a tick
     system.pull.assign(rows.size(), 0);
     for (JointRows& joint : system.joints) {
-        Vec2 onA, onB;
-        for (int i = 0; i < joint.count; ++i) {
-            const real impulse = table.rows[joint.joint].impulses[joint.rows[i].slot];
-            onA += impulse * joint.rows[i].j.linearA;
-            onB += impulse * joint.rows[i].j.linearB;
-        }
-        system.pull[joint.rowA] += length(joint.armA) * length(onA);
-        system.pull[joint.rowB] += length(joint.armB) * length(onB);
-        for (int k = 0; joint.more && k < joint.more->count; ++k) {
-            Vec2 on;
-            for (int i = 0; i < joint.count; ++i)
-                on += table.rows[joint.joint].impulses[joint.rows[i].slot] * joint.more->parts[i][k].linear;
-            system.pull[joint.more->rows[k]] += length(joint.more->arms[k]) * length(on);
-        }
+        const JointRow& carried = table.rows[joint.joint];
+        const Vec2 onB =
+            addPull(joint, [&](int i) { return carried.impulses[joint.rows[i].slot]; }, system.pull);
         joint.turnMass = turnMassOf(joint, dot(onB, perpendicular(joint.across.linearB)), rows[joint.rowA],
                                     rows[joint.rowB], context);
     }
@@ -347,6 +360,27 @@ void guardLightBodies(const JointTable& table, const BodyTable& bodies, JointSys
     }
     if (!changed) return;
     for (JointRows& joint : system.joints) prepareRows(joint, rows);
+}
+
+void findOutgrown(JointSystem& system, const Table<Motion>& rows, const StepContext& context,
+                  std::vector<std::uint8_t>& groups)
+{
+    constexpr real kOutgrown = 2;  // times what the tick was begun with
+    system.pull.assign(rows.size(), 0);
+    for (const JointRows& joint : system.joints) {
+        if (!system.stiffGroups[joint.group]) continue;
+        const real part = joint.whole ? real(1) : real(2);
+        const Vec2 onB = addPull(joint, [&](int i) { return part * joint.visits[i].impulse; }, system.pull);
+        if (!(joint.distance > 0)) continue;
+        const real inverse = maximum(rows[joint.rowA].greatestInvMass(), rows[joint.rowB].greatestInvMass());
+        const real needed = context.h * dot(onB, perpendicular(joint.across.linearB)) / joint.distance;
+        if (inverse > 0 && !(needed <= kOutgrown * (joint.turnMass + 1 / inverse))) groups[joint.group] = 1;
+    }
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+        const std::uint32_t group = system.groupOf[i];
+        if (group == JointSystem::kNone || !system.stiffGroups[group]) continue;
+        if (!(kStiff * context.h * system.pull[i] * rows[i].invInertia <= kOutgrown)) groups[group] = 1;
+    }
 }
 
 void releaseGuard(const BodyTable& bodies, Table<Motion>& rows)
@@ -391,13 +425,18 @@ void startJoints(const JointTable& table, const BodyTable& bodies, const MotionT
 real aimPair(const JointTable& table, const BodyTable& bodies, const BodyPair& pair,
              const StepContext& context, JointRows& rows)
 {
-    const JointRow& joint = table.rows[rows.joint];
+    return aimRows(rows, jointAhead(table.rows[rows.joint], bodies, pair, context), pair, context);
+}
+
+JointRows jointAhead(const JointRow& joint, const BodyTable& bodies, const BodyPair& pair,
+                     const StepContext& context)
+{
     const Motion &a = pair.a, &b = pair.b;
     const BodyPlace placeA = placeAhead(a, pair.va, context.h), placeB = placeAhead(b, pair.vb, context.h);
     const double turned = joint.angle + (placeB.angle - b.angle) - (placeA.angle - a.angle);
     JointRows ahead;
     measureJoint(joint.def.kind, poseOf(joint, bodies, a, b, placeA, placeB, turned), ahead);
-    return aimRows(rows, ahead, pair, context);
+    return ahead;
 }
 
 real aimOwn(const JointTable& table, const BodyTable& bodies, const BodySet& set, const StepContext& context,

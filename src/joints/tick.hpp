@@ -10,6 +10,13 @@
 
 namespace tamias2d::inline TAMIAS_PRECISION {
 
+/// What the projection of a group works with; it keeps its memory. By node, or by joint of the group.
+struct ProjectionScratch {
+    std::vector<BodyMotion<real>> free, aimed, solved;
+    std::vector<JointRows> begun;
+    std::vector<real> impulses;  // by joint and row
+};
+
 /// The joints at work in a step, in the order in which they are solved; keeps its memory.
 struct JointSystem {
     static constexpr std::uint32_t kNone = 0xffffffffu;
@@ -22,8 +29,10 @@ struct JointSystem {
     std::vector<DirectGroup> direct;         // the first `directCount` of them are those
     std::size_t directCount = 0;
     std::vector<std::uint8_t> lostGroups;    // by group: did not find where it goes in this tick
+    std::vector<std::uint8_t> outgrownGroups;  // by group, scratch
     std::vector<std::uint8_t> wholeGroups;   // by group: solved once a tick
     std::uint32_t fallbacks = 0;             // visits of the step in which a group was not solved at once
+    ProjectionScratch projection;
     std::vector<BodyMotion<real>> velocities;   // scratch
     std::vector<BodyMotion<real>> before;    // by row, scratch
     std::vector<real> unrest, unrestBefore;  // by group, scratch   [m/s]
@@ -40,6 +49,7 @@ struct JointSystem {
     std::uint32_t countFaults() const;
 
     bool empty() const { return joints.empty(); }
+    std::uint32_t groupOfDirect(std::size_t place) const { return joints[direct[place].joints.front()].group; }
     /// Do joints alone change the velocity of the body in the two halves of this tick?
     bool isHalved(std::size_t row) const { return groupOf[row] != kNone && !wholeGroups[groupOf[row]]; }
 };
@@ -72,6 +82,10 @@ void measureJoints(JointTable& table, const BodyTable& bodies, const MotionTable
 void guardLightBodies(const JointTable& table, const BodyTable& bodies, JointSystem& system,
                       Table<Motion>& rows, const StepContext& context);
 
+/// After the passes: marks the groups solved at once in which loads came up that the tick was not begun for.
+void findOutgrown(JointSystem& system, const Table<Motion>& rows, const StepContext& context,
+                  std::vector<std::uint8_t>& groups);
+
 /// After the last tick of a step: their own moments of inertia again.
 void releaseGuard(const BodyTable& bodies, Table<Motion>& rows);
 
@@ -84,6 +98,10 @@ void spreadLoad(JointSystem& system, Table<Motion>& rows);
 /// Impulses as the tick begins, and what they aim at, for the velocities after the first kick.
 void startJoints(const JointTable& table, const BodyTable& bodies, const MotionTable& motions,
                  const StepContext& context, JointSystem& system);
+
+/// A joint of two bodies where these will be at the end of the tick.
+JointRows jointAhead(const JointRow& joint, const BodyTable& bodies, const BodyPair& pair,
+                     const StepContext& context);
 
 /// What a joint aims at, for these velocities; returns by how much that changed.   [m/s]
 /// `velocityOf` says the velocity of a row.

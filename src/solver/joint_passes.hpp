@@ -28,9 +28,12 @@ real visitJoint(JointRows& joint, const Table<Motion>& motions, Table<LaneRow>& 
 void passOverJoints(const JointWorld& world, JointSystem& system, real restless, const std::uint8_t* visited,
                     Table<LaneRow>& velocities, std::vector<std::uint8_t>& unrest);
 
-/// After the passes: where bodies turn so fast that these did not find where they go, as near a dead point of
-/// a linkage, joints are asked to move nothing apart instead, and what they did is not carried on.
-void flattenJoints(const JointWorld& world, JointSystem& system, Table<LaneRow>& velocities);
+/// After the passes: groups in which these did not find where they go, as bodies turn too fast for them or a
+/// load came up that they did not reckon with, are brought to where their joints hold. Where that cannot be
+/// found joints are asked to move nothing apart instead. What they did is not carried on. `before` are the
+/// velocities of all rows before the passes.
+void settleLost(const JointWorld& world, JointSystem& system, const Table<LaneRow>& before,
+                Table<LaneRow>& velocities);
 
 /// What motors may add to the speeds of a group at most.   [m/s]
 real driveOf(const JointSystem& system, const DirectGroup& group);

@@ -85,10 +85,8 @@ void passOver(SolverStage& stage, const JointWorld& world)
     SolverScratch& scratch = stage.scratch;
     Table<LaneRow>& velocities = scratch.rows.velocities;
     const bool isWatched = mayThrow(stage.system);
-    if (isWatched) {
-        scratch.passes.keep(stage.contacts);
-        scratch.before = velocities;
-    }
+    if (!stage.system.empty()) scratch.before = velocities;
+    if (isWatched) scratch.passes.keep(stage.contacts);
     for (;;) {
         if (!stage.system.empty())
             startJoints(stage.joints, stage.world.bodies, stage.motions, world.context, stage.system);
@@ -216,7 +214,7 @@ SolverCounts solve(SolverStage& stage, const StepContext& context)
         passOver(stage, jointWorld);
         scratch.passes.finish(stage.contacts, stage.motions, lanes, &jointWorld, &stage.system);
         if (hasJoints) {
-            flattenJoints(jointWorld, stage.system, lanes.velocities);
+            settleLost(jointWorld, stage.system, scratch.before, lanes.velocities);
             storeJointed(stage, lanes);
             tallyJoints(stage.joints, stage.system, rows);
         }
