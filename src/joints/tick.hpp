@@ -49,7 +49,10 @@ struct JointSystem {
     std::uint32_t countFaults() const;
 
     bool empty() const { return joints.empty(); }
-    std::uint32_t groupOfDirect(std::size_t place) const { return joints[direct[place].joints.front()].group; }
+    std::uint32_t groupOfDirect(std::size_t place) const
+    {
+        return joints[direct[place].joints.front()].group;
+    }
     /// Do joints alone change the velocity of the body in the two halves of this tick?
     bool isHalved(std::size_t row) const { return groupOf[row] != kNone && !wholeGroups[groupOf[row]]; }
 };
