@@ -119,6 +119,14 @@ bool isApartAlong(const PlacedCore& line, const PlacedCore& other)
     return maximum(a0, a1) < minimum(b0, b1) || maximum(b0, b1) < minimum(a0, a1);
 }
 
+// Features that meet have no direction between them; and what lies on a line lies in front of both its faces.
+bool tellsDirection(const FacedCores& cores, const Separation& nearest)
+{
+    if (!(nearest.distance > 0)) return false;
+    if (nearest.kind == Separation::Kind::FaceA) return cores.fromA[nearest.featureA] >= 0;
+    return nearest.kind != Separation::Kind::FaceB || cores.fromB[nearest.featureB] >= 0;
+}
+
 }  // namespace
 
 Separation exactSeparation(const FacedCores& cores, real preference)
@@ -134,7 +142,8 @@ Separation exactSeparation(const FacedCores& cores, real preference)
     if (!linesApart && (onA ? nearestVertexIsOpposite(a, byFace.featureA, b)
                             : nearestVertexIsOpposite(b, byFace.featureB, a)))
         return byFace;
-    return closestFeatures(a, b);
+    const Separation nearest = closestFeatures(a, b);
+    return tellsDirection(cores, nearest) ? nearest : byFace;
 }
 
 }  // namespace tamias2d::inline TAMIAS_PRECISION

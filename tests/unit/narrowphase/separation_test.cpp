@@ -142,6 +142,35 @@ TEST(Separation, LinesOnOneAnothersExtensionAreApart)
     EXPECT_NEAR(s.normal.x, 1, kDistanceTolerance);
 }
 
+// On a lattice of eighths all is exact, and cores often meet just so: the line of a capsule in the edge of a
+// blade, an end of it in a corner.
+TEST(Separation, TheNormalLeadsFromTheOneToTheOtherEvenIfTheirCoresMeet)
+{
+    TRACES("T5", "LC1");
+    const Convex cores[] = {
+        convexOf(Circle{{}, real(0.25)}), convexOf(Capsule{{real(-0.25), 0}, {real(0.25), 0}, real(0.25)}),
+        convexOf(Segment{{0, real(-0.5)}, {0, real(0.5)}, 0}), convexOf(makeBox(real(0.75), 2, real(0.125))),
+        convexOf(makeBox(real(0.5), real(0.25)))};
+    const Rot quarters[] = {{1, 0}, {0, 1}, {-1, 0}, {0, -1}};
+    std::mt19937 random(6);
+    const auto place = [&random] { return static_cast<real>(static_cast<int>(random() % 17) - 8) / 8; };
+    int meet = 0;
+    for (int trial = 0; trial < 20000; ++trial) {
+        const Convex &a = cores[random() % 5], &b = cores[random() % 5];
+        const PlacedCore coreA(a, Pose{{place(), place()}, quarters[random() % 4]});
+        const PlacedCore coreB(b, Pose{{place(), place()}, quarters[random() % 4]});
+        const Separation s = exactSeparation({coreA, coreB}, 0);
+        if (s.distance < 0 || a.count + b.count == 2) continue;  // two centers in one place have no direction
+        meet += s.distance == 0 ? 1 : 0;
+        real endOfA = -std::numeric_limits<real>::max(), startOfB = std::numeric_limits<real>::max();
+        for (int i = 0; i < coreA.count; ++i) endOfA = std::max(endOfA, dot(s.normal, coreA.vertices[i]));
+        for (int i = 0; i < coreB.count; ++i) startOfB = std::min(startOfB, dot(s.normal, coreB.vertices[i]));
+        EXPECT_NEAR(startOfB - endOfA, s.distance, kDistanceTolerance)
+            << "trial " << trial << ": normal (" << s.normal.x << ", " << s.normal.y << ")";
+    }
+    EXPECT_GT(meet, 1000);
+}
+
 TEST(Manifold, OfABoxOnABoxHasTheEndsOfTheSharedEdge)
 {
     TRACES("LC1", "IM3");
