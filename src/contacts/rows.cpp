@@ -76,10 +76,20 @@ real impactThreshold(const Contact& contact, const Motion& a, const Motion& b, c
     return context.tuning.impactThreshold * (forces + contacts);
 }
 
+// With (1 - C_R)/C_R rest gaps a tick a bounce is left out whose rebound is slower than 1 - C_R of them.
+real slowestInCrowd(const Contact& contact, const StepContext& context)
+{
+    constexpr real kSlow = 10;  // rest gaps a tick: a hundredth of the smaller width
+    if (!contact.crowded) return 0;
+    const real kept = contact.restitution, lost = 1 - kept;
+    return (lost < kSlow * kept ? lost / kept : kSlow) * contact.restGap * context.invH;
+}
+
 int mostImpacts(const Contact& contact, const StepContext& context)
 {
     const int most = context.tuning.impactsPerContact;
-    return contact.restitution > 0 ? most : (most + 3) / 4;
+    const bool chains = !(contact.restitution > 0) || (contact.crowded && contact.restitution < 1);
+    return chains ? (most + 3) / 4 : most;
 }
 
 namespace {
@@ -96,7 +106,8 @@ bool isLeftToImpacts(const Contact& contact, const ContactPointRow& point, real 
                      const StepContext& context)
 {
     return contact.restitution > 0 && !point.wasLoaded && contact.impacts < mostImpacts(contact, context) &&
-           point.gap > -contact.restGap / 2 && normalSpeed < -threshold;
+           point.gap > -contact.restGap / 2 &&
+           normalSpeed < -maximum(threshold, slowestInCrowd(contact, context));
 }
 
 // May an impact in this tick have settled the contact?

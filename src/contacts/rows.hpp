@@ -41,9 +41,14 @@ real allowedApproach(const ContactPointRow& point, const StepContext& context);
 /// rests never bounces, and zero without such forces.   [m/s]
 real impactThreshold(const Contact& contact, const Motion& a, const Motion& b, const StepContext& context);
 
+/// In a crowd each loss makes others meet, a little later and a little slower, without end: what approaches
+/// slower than this is left to the passes, which stop all of it at once. What would have bounced then loses
+/// less than a rest gap a tick of speed; 0 for what loses nothing [ADR21].   [m/s]
+real slowestInCrowd(const Contact& contact, const StepContext& context);
+
 /// How many impacts of a contact may act in a tick; what approaches after them is left to the passes. One
-/// that does not bounce and is hit again and again stands in a crowd, where stops follow each other without
-/// end, ever slower: the passes take it after a fourth of Tuning::impactsPerContact [ADR21].
+/// that does not bounce, or bounces with losses in a crowd, and is hit again and again stands in such a
+/// chain: the passes take it after a fourth of Tuning::impactsPerContact [ADR21].
 int mostImpacts(const Contact& contact, const StepContext& context);
 
 /// Is an approach at the point left to the next impact, at these velocities?

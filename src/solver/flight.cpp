@@ -188,12 +188,6 @@ real approachWithin(Vec2 axis, const Flight& a, const Flight& b, real from, real
     return real(1.001) * span * (maximum(-slowest, real(0)) + turning);
 }
 
-real slowestInCrowd(const Contact& c, const StepContext& context)
-{
-    constexpr real kSlow = 10;  // rest gaps a tick: a hundredth of the smaller width
-    return c.crowded && !(c.restitution > 0) ? kSlow * c.restGap * context.invH : real(0);
-}
-
 namespace {
 
 // What impacts of this tick have left of an approach is not the work of steady forces; but there is an end to

@@ -21,6 +21,7 @@ struct Flight {
     real spinRate = 0;    ///< [rad/s^2]
     real clock = 0;       ///< time of its last impact within the tick   [s]
     real extent = 0;      ///< farthest point of its shapes from the center   [m]
+    real strayed = 0;  ///< by the end of the tick no point of it is farther from where it was to be   [m]
 
     Vec2 shiftAt(real t) const { return offset + t * velocity + (t * t / 2) * acceleration; }
     real turnAt(real t) const { return turned + t * spin + t * t / 2 * spinRate; }
@@ -59,9 +60,9 @@ Moment momentAt(const Contact& contact, const ManifoldPoint& anchor, const Flyin
 /// What the search for impacts needs to know of a point. The gap is taken back to the start of the tick.
 struct ImpactPoint {
     Vec2 normal;
-    real turnA = 0, turnB = 0;   ///< arm x normal   [m]
-    real gap = 0;                ///< beyond the rest gap   [m]
-    bool yields = false;         ///< does an impulse at it move anything?
+    real turnA = 0, turnB = 0;  ///< arm x normal   [m]
+    real gap = 0;  ///< beyond the rest gap   [m]
+    bool yields = false;  ///< does an impulse at it move anything?
 };
 
 /// Is a prepared point of the contact all that the search asks for? The manifold of an impact is linearized
@@ -75,7 +76,7 @@ ImpactPoint turnedImpactPoint(const Contact& contact, int point, const FlyingPai
 
 /// A point of a contact and when it is hit.
 struct Impact {
-    real time = kNever;   ///< within the tick   [s]
+    real time = kNever;  ///< within the tick   [s]
     int point = 0;
 };
 
@@ -85,10 +86,6 @@ Apart apartAt(real start, const Apart& apart, const Flight& a, const Flight& b);
 Apart apartBefore(real start, const Apart& apart, const Flight& a, const Flight& b);
 /// A bound on how far any two points of two bodies near each other along `axis` between two times.   [m]
 real approachWithin(Vec2 axis, const Flight& a, const Flight& b, real from, real to);
-
-/// In a crowd whatever stops slowly and for good stops many others with it, at no one time: below this speed
-/// the passes do it, all at once [ADR21].   [m/s]
-real slowestInCrowd(const Contact& contact, const StepContext& context);
 
 /// The first impact of a contact in the rest of the tick: when a gap first closes faster than steady
 /// forces could make it. Time kNever if there is none.

@@ -91,6 +91,7 @@ const std::vector<std::uint32_t>& WayPairs::pairAgain(std::uint32_t row)
     real room = wanted;  // that all its shapes have
 
     for (const std::uint32_t shape : stage_.world.shapes.of(stage_.world.bodies.rows[body])) {
+        scratch_.partners.forget();
         const Convex& convex = stage_.world.shapes.convex(shape);
         const real margin = 3 * stage_.world.restGap * convex.size;
         const Aabb needed = sweptBounds(convex, path, center, scratch_.flights[row].clock, end, margin);
@@ -132,7 +133,7 @@ void WayPairs::pairWithMoving(std::uint32_t row, std::uint32_t shape, const Aabb
     for (const std::uint32_t k : scratch_.found) {
         const std::uint32_t other = stage_.boxes[k].shape;
         const ShapePair pair{minimum(shape, other), maximum(shape, other)};
-        if (mayCollide(stage_.world, pair) && !isKnown(row, pair))
+        if (mayCollide(stage_.world, pair) && !isKnown(row, shape, other))
             add(pair, overlaps(needed, stage_.boxes[k].box));
     }
 }
@@ -162,12 +163,13 @@ bool WayPairs::pairWithResting(std::uint32_t row, std::uint32_t shape, const Aab
                 rouse(stage_, b.group, context_, context_.time + static_cast<double>(tickStart_));
                 scratch_.chains.grow(stage_.motions.rows.size());
                 takeUp(first);
+                scratch_.partners.forget();
             } else {
                 enter(stage_, body, context_);
                 scratch_.chains.grow(stage_.motions.rows.size());
             }
         }
-        if (!isKnown(row, pair)) add(pair, overlaps(needed, restingBounds(stage_.world, other)));
+        if (!isKnown(row, shape, other)) add(pair, overlaps(needed, restingBounds(stage_.world, other)));
     }
     return nobodySleeps;
 }
@@ -185,14 +187,22 @@ bool WayPairs::meetsSleeper(std::uint32_t row, std::uint32_t shape, std::uint32_
     return mayMeet(pair, scratch_.flights[row].clock, end, context_);
 }
 
-bool WayPairs::isKnown(std::uint32_t row, const ShapePair& pair)
+// A pair is asked for but once between two times that all are noted.
+bool WayPairs::isKnown(std::uint32_t row, std::uint32_t shape, std::uint32_t other)
 {
+    if (!scratch_.partners.areNoted()) notePartners(row, shape);
+    return scratch_.partners.has(other);
+}
+
+void WayPairs::notePartners(std::uint32_t row, std::uint32_t shape)
+{
+    scratch_.partners.begin(stage_.world.shapes.rows.size());
     const ContactChains& chains = scratch_.chains;
     for (std::uint32_t link = chains.first(row); link != ContactChains::kEnd; link = chains.next(link)) {
         const Contact& c = stage_.contacts.rows[ContactChains::contactOf(link)];
-        if (c.shapeA == pair.a && c.shapeB == pair.b) return true;
+        if (c.shapeA == shape) scratch_.partners.note(c.shapeB);
+        if (c.shapeB == shape) scratch_.partners.note(c.shapeA);
     }
-    return false;
 }
 
 }  // namespace tamias2d::inline TAMIAS_PRECISION

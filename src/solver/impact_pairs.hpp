@@ -36,8 +36,9 @@ private:
     bool pairWithResting(std::uint32_t row, std::uint32_t shape, const Aabb& needed, const Aabb& roomy,
                          real end);
     bool meetsSleeper(std::uint32_t row, std::uint32_t shape, std::uint32_t other, real end);
+    void notePartners(std::uint32_t row, std::uint32_t shape);
     void takeUp(std::uint32_t first);
-    bool isKnown(std::uint32_t row, const ShapePair& pair);
+    bool isKnown(std::uint32_t row, std::uint32_t shape, std::uint32_t other);
     void add(const ShapePair& pair, bool meets);
 };
 

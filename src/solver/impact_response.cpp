@@ -25,6 +25,7 @@ void ImpactResponse::applyAt(const Contact& c, const PlacedPoint& place, Vec2 im
         kick.spinBefore += early * dw;
         kick.spinAfter += late * dw;
         f.clock = t;
+        f.strayed += (context_.h - t) * (length(dv) + f.extent * absolute(dw));
     };
     hit(c.rowA, place.armA, -impulse);
     hit(c.rowB, place.armB, impulse);
@@ -132,7 +133,7 @@ void ImpactResponse::act(Contact& c, const Impact& impact)
 {
     // A crowded tick ends plastic, so that it ends.
     ++c.impacts;
-    const real restitution = c.impacts > context_.tuning.impactsPerContact / 2 ? real(0) : c.restitution;
+    const real restitution = c.impacts > mostImpacts(c, context_) / 2 ? real(0) : c.restitution;
     if (c.impacts == context_.tuning.impactsPerContact) ++stage_.clamps.impactsPerContact;
 
     ++stage_.groups;

@@ -57,6 +57,26 @@ private:
     std::vector<std::uint32_t> next_;   // by link
 };
 
+/// The shapes that one shape has contacts with: for many questions about one that has many.
+class Partners {
+public:
+    void forget() { noted_ = false; }
+    bool areNoted() const { return noted_; }
+    void begin(std::size_t shapes)
+    {
+        noted_ = true;
+        if (++number_ == 0) numbers_.assign(numbers_.size(), 0), number_ = 1;
+        numbers_.resize(shapes, 0);
+    }
+    void note(std::uint32_t shape) { numbers_[shape] = number_; }
+    bool has(std::uint32_t shape) const { return numbers_[shape] == number_; }
+
+private:
+    std::vector<std::uint32_t> numbers_;  // by slot of the shape: when it was noted last
+    std::uint32_t number_ = 0;
+    bool noted_ = false;
+};
+
 /// What is asked of a contact whenever a body of it is turned from its way, all of them side by side.
 struct PairRow {
     std::uint32_t rowA, rowB;   // of the MotionTable
@@ -65,6 +85,7 @@ struct PairRow {
     bool swept;  // as that of Contact
     bool placed;  // have its points been placed in this tick?
     std::uint32_t version;  // of its motion in this tick
+    real farUntil;  // it meets nowhere in this tick while its bodies have strayed by less, in sum   [m]
 };
 
 /// What the impact stage works with; it keeps its memory from step to step.
@@ -90,6 +111,7 @@ struct ImpactScratch {
     std::vector<std::uint32_t> swept;  // contacts that are looked at again in every tick
     BoxTree tree;  // over the boxes of the step; made when a body leaves its own
     std::vector<std::uint32_t> found;  // boxes
+    Partners partners;  // of the shape that is paired again
     std::vector<std::uint32_t> met;  // contacts that have come in and meet
     std::vector<DueImpact> queue;  // a heap
 };

@@ -40,6 +40,7 @@ private:
     void schedule(std::uint32_t i);
     bool turnsOn(std::uint32_t i);
     bool isLoaded(std::uint32_t i);
+    bool staysFar(const PairRow& pair);
     void adopt(std::uint32_t i, const SweptResult& result);
     void resweep(std::uint32_t i, bool own);
     void sweepOn(std::uint32_t i);
@@ -58,7 +59,7 @@ ImpactSolver::ImpactSolver(ImpactStage& stage, const StepContext& context, int t
     scratch_.flights.resize(stage.motions.rows.size());
     scratch_.flies.assign(stage.motions.rows.size(), 0);
     scratch_.points.resize(2 * contacts);
-    for (PairRow& pair : scratch_.pairs) pair.placed = false, pair.version = 0;
+    for (PairRow& pair : scratch_.pairs) pair.placed = false, pair.version = 0, pair.farUntil = 0;
     scratch_.queue.clear();
     scratch_.queue.reserve(4 * contacts + 64);  // those that are found anew leave the old ones behind
 }
@@ -137,6 +138,12 @@ bool ImpactSolver::isLoaded(std::uint32_t i)
     return false;
 }
 
+// Those of which that is known have had their bodies tracked.
+bool ImpactSolver::staysFar(const PairRow& pair)
+{
+    return pair.farUntil > 0 && flight(pair.rowA).strayed + flight(pair.rowB).strayed < pair.farUntil;
+}
+
 void ImpactSolver::adopt(std::uint32_t i, const SweptResult& result)
 {
     const bool isEmpty = !result.near || result.manifold.count == 0;
@@ -161,11 +168,15 @@ void ImpactSolver::resweep(std::uint32_t i, bool own)
     const real start = maximum(a.clock, b.clock);
     if (!(start < context_.h) || (own && !turnsOn(i))) return;
     const Apart apart = apartAt(start, pair.apart, a, b);
-    const bool isFar = apart.gap - approachWithin(apart.axis, a, b, start, context_.h) > pair.near;
-    if (isFar)
+    const real room = apart.gap - approachWithin(apart.axis, a, b, start, context_.h) - pair.near;
+    const bool isFar = room > 0;
+    pair.farUntil = 0;
+    if (isFar) {
+        pair.farUntil = a.strayed + b.strayed + room;
         adopt(i, {});
-    else
+    } else {
         sweepOn(i);
+    }
 }
 
 void ImpactSolver::sweepOn(std::uint32_t i)
@@ -186,8 +197,11 @@ void ImpactSolver::sweepOn(std::uint32_t i)
     adopt(i, result);
 }
 
+// A great body has pairs with all that is around it: hit by a light one, it strays from its way by less than
+// lies between it and most of them.
 void ImpactSolver::lookAgain(std::uint32_t i)
 {
+    if (staysFar(pairRow(i))) return;
     trackPair(i);
     resweep(i, false);
     schedule(i);

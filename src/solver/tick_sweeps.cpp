@@ -38,7 +38,7 @@ real slackOf(real width, const StepContext& context)
 PairRow pairRowOf(const Contact& c)
 {
     const real near = real(3.01) * c.restGap;
-    return {c.rowA, c.rowB, c.swept ? c.apart : Apart{}, near, c.swept, false, 0};
+    return {c.rowA, c.rowB, c.swept ? c.apart : Apart{}, near, c.swept, false, 0, 0};
 }
 
 void startSweeps(ImpactStage& stage, const StepContext& context, const std::vector<std::uint8_t>* renewed)

@@ -19,9 +19,9 @@ struct Tuning {
     real calmRate = real(0.3);  ///< part of the speed a calm loaded body loses in a tick  [1] in [0, 1)
     real calmSpeed = real(0.1);  ///< above which nothing is calmed            [lengthUnit/s] > 0
     real impactThreshold = 1;  ///< slowest impact, over what steady forces do in a tick  [1] in [0.1, 10]
-    int crowd = 8;  ///< so many bodies that meet leave slow plastic impacts to the passes [1]  in [1, 1e6]
+    int crowd = 8;  ///< so many bodies that meet leave slow impacts to the passes, if C_R < 1 [1] in [1, 1e6]
     int impactsPerContact =
-        32;  ///< in one tick; plastic after half; if C_R = 0, a fourth  [1]   in [2, 1000]
+        32;  ///< in a tick; plastic after half; a fourth if C_R = 0, or < 1 in a crowd [1] in [2, 1000]
     real sleepTime = real(0.5);  ///< so long all of a group must be still before they sleep [s] in [0, 1e6]
     real sleepSpeed = real(0.01);  ///< still: no point is faster, nor gets faster  [lengthUnit/s] > 0
 
