@@ -12,7 +12,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
+#include <limits>
 
 namespace tamias2d::inline TAMIAS_PRECISION {
 namespace {
@@ -25,6 +25,7 @@ constexpr double kSame = 1e-4;  // times what is negligible: a step of Newton's 
 constexpr double kLooseness[] = {1e4, 1e3, 1e2, 1e1, 1};  // times the gammas of contacts, one after the other
 constexpr int kMostTrials = 20;  // of the length of a step
 constexpr double kEven = 1e-6, kEvenEnough = 1e-1;  // of the descent at its start, there; with contacts
+constexpr double kRounding = static_cast<double>(std::numeric_limits<real>::epsilon());
 constexpr double kTurned = 1e-9;  // of a speed: what may be left where a force turns under its bound
 constexpr double kLeft = 1e-5;  // of the speeds: where rows that bear next to nothing go from bound to bound
 constexpr double kRough = 1e-4;  // the same on the way to a harder rope
@@ -159,9 +160,14 @@ void DirectSolver::load(const std::vector<BodyMotion<real>>& velocities)
     const std::size_t nodes = group_.rows.size();
     group_.start.resize(3 * nodes);
     for (std::size_t n = 0; n < nodes; ++n) {
-        group_.start[3 * n] = static_cast<double>(velocities[n].velocity.x);
-        group_.start[3 * n + 1] = static_cast<double>(velocities[n].velocity.y);
-        group_.start[3 * n + 2] = static_cast<double>(velocities[n].spin);
+        // What the kicks have rounded is still known where no visit has changed it.
+        const auto known = [](real velocity, double fine) {
+            return static_cast<real>(fine) == velocity ? fine : static_cast<double>(velocity);
+        };
+        const Motion& m = motions_[group_.rows[n]];
+        group_.start[3 * n] = known(velocities[n].velocity.x, m.fineVelocity.x);
+        group_.start[3 * n + 1] = known(velocities[n].velocity.y, m.fineVelocity.y);
+        group_.start[3 * n + 2] = known(velocities[n].spin, m.fineSpin);
     }
     group_.velocity = group_.start;
     guarded_ = std::any_of(group_.joints.begin(), group_.joints.end(),
@@ -646,11 +652,22 @@ void DirectSolver::store(std::vector<BodyMotion<real>>& velocities, real& change
     for (std::size_t j = 0; j < count(); ++j)
         for (int i = 0; i < joint(j).count; ++i)
             joint(j).visits[i].impulse = static_cast<real>(impulse(j, i));
+    // What rounding takes from the momentum of one, the next gets that it does not shift by more than its own
+    // rounding does: so the momentum of all is rounded once.
+    double owedX = 0, owedY = 0;  // [kg*m/s]
+    const auto rounded = [](double velocity, real inverse, double& owed) {
+        const double given = owed * static_cast<double>(inverse);
+        const bool takes = absolute(given) <= 2 * kRounding * absolute(velocity);
+        const double exact = takes ? velocity + given : velocity;
+        const real nearest = static_cast<real>(exact);
+        owed = (takes ? 0 : owed) + (exact - static_cast<double>(nearest)) / static_cast<double>(inverse);
+        return nearest;
+    };
     for (std::size_t n = 0; n < group_.rows.size(); ++n) {
         const Motion& m = motions_[group_.rows[n]];
         const double* v = &group_.velocity[3 * n];
-        const Vec2 linear{m.invMass.x > 0 ? static_cast<real>(v[0]) : velocities[n].velocity.x,
-                          m.invMass.y > 0 ? static_cast<real>(v[1]) : velocities[n].velocity.y};
+        const Vec2 linear{m.invMass.x > 0 ? rounded(v[0], m.invMass.x, owedX) : velocities[n].velocity.x,
+                          m.invMass.y > 0 ? rounded(v[1], m.invMass.y, owedY) : velocities[n].velocity.y};
         const real spin = m.invInertia > 0 ? static_cast<real>(v[2]) : velocities[n].spin;
         change = maximum(change, maximum(length(linear - velocities[n].velocity),
                                          absolute(spin - velocities[n].spin) * m.extent));

@@ -8,16 +8,7 @@
 namespace tamias2d::inline TAMIAS_PRECISION {
 namespace {
 
-// How rigid rows that share bodies with others are softened, so that one visit each settles them: as a spring
-// of a quarter of the tick's frequency and twice the critical damping [eq. 6].
-constexpr double kTurn = 2 * 3.14159265358979323846 * 0.25, kDamping = 2;
-constexpr double kBlend = kTurn * (2 * kDamping + kTurn);
-constexpr real kFade = static_cast<real>(kTurn / (2 * kDamping + kTurn));  // of an error, in a tick
-constexpr real kFirm = static_cast<real>(kBlend / (1 + kBlend));
-constexpr real kLoose = static_cast<real>(1 / (1 + kBlend));
-
-// Springs that swing faster than this in a tick are damped by it rather than followed [eq. 9].
-constexpr real kFastSpring = 1;  // [rad]
+constexpr real kFade = Softness::kFade, kFirm = Softness::kFirm, kLoose = Softness::kLoose;
 
 // How an impulse along one row moves another.
 real complianceAlong(const Jacobian& j, const Jacobian& k, const Motion& a, const Motion& b)
@@ -154,7 +145,7 @@ void startRows(JointRows& joint, const JointRow& carried, const StepContext& con
 
 real predictedGive(const ConstraintRow& row, real impulse, real h)
 {
-    return kLoose / (kFirm * kFade) * h * row.mass * absolute(impulse);
+    return giveOf(row.mass, absolute(impulse), h);
 }
 
 namespace {

@@ -3,14 +3,12 @@
 // their impulses answer it. Derivation: docs/theory/joints.md.
 #pragma once
 
+#include "joints/softness.hpp"
 #include "model/joints.hpp"
 #include "model/motion.hpp"
 #include "model/step_context.hpp"
 
 namespace tamias2d::inline TAMIAS_PRECISION {
-
-/// What has come apart, as by hand, comes back no faster than this.   [lengthUnit/s] or [rad/s]
-inline constexpr real kReturn = 20;
 
 /// A direction in the space of the two bodies' velocities, and the speed along it [eq. 1].
 struct Jacobian {
@@ -58,30 +56,13 @@ struct MoreBodies {
     ConstraintRows::Part parts[ConstraintRows::kMostRows][kMost];
 };
 
-/// The rows of one joint in a tick. Rigid ones come first and are solved together.
-struct JointRows {
-    static constexpr int kMost = ConstraintRows::kMostRows;
-
+/// The bodies that a joint ties: rows of the MotionTable.
+struct JointTie {
     std::uint32_t joint = 0;             // slot
     std::uint32_t rowA = 0, rowB = 0;    // of its bodies in the MotionTable
     std::uint32_t group = 0;             // of bodies that joints tie together
-    bool rigidly = false;  // one visit settles it: alone in its group, or solved with it at once
-    bool lost = false;                   // the passes did not find where it goes in this tick
-    bool whole = false;  // solved once a tick: a body of the group bears a contact's load
-    int count = 0, rigid = 0;
-    ConstraintRow rows[kMost];
-    RowVisit visits[kMost];
-    real inverse[3][3] = {};  // of the rigid rows' J M^-1 J^T
-    real reach = 0;  // how far the bodies extend   [m]
-    Vec2 armA, armB;  // to the anchors              [m]
-    real distance = 0;  // between the anchors, of what ties them over it; else 0   [m]
-    Jacobian across;  // what turns the line between them
-    real turnMass = 0;  // with which that resists in this tick   [kg]   [eq. 13]
-    bool own = false;  // of a joint of one's own
-    MoreBodies* more = nullptr;  // beyond two
-    std::uint32_t faults = 0;  // of a joint of one's own, in this step
-
-    ConstraintRow& add(RowKind kind, int slot, const Jacobian& j, real error, bool angular);
+    bool own = false;                    // of a joint of one's own
+    MoreBodies* more = nullptr;          // beyond two
 
     /// Each of its bodies, once: rows of the MotionTable.
     template <class Visit>
@@ -107,6 +88,27 @@ struct JointRows {
             if (!motions[rowB].moves() && motions[more->rows[k]].moves()) return more->rows[k];
         return rowB;
     }
+};
+
+/// The rows of one joint in a tick. Rigid ones come first and are solved together.
+struct JointRows : JointTie {
+    static constexpr int kMost = ConstraintRows::kMostRows;
+
+    bool rigidly = false;  // one visit settles it: alone in its group, or solved with it at once
+    bool lost = false;                   // the passes did not find where it goes in this tick
+    bool whole = false;  // solved once a tick: a body of the group bears a contact's load
+    int count = 0, rigid = 0;
+    ConstraintRow rows[kMost];
+    RowVisit visits[kMost];
+    real inverse[3][3] = {};  // of the rigid rows' J M^-1 J^T
+    real reach = 0;  // how far the bodies extend   [m]
+    Vec2 armA, armB;  // to the anchors              [m]
+    real distance = 0;  // between the anchors, of what ties them over it; else 0   [m]
+    Jacobian across;  // what turns the line between them
+    real turnMass = 0;  // with which that resists in this tick   [kg]   [eq. 13]
+    std::uint32_t faults = 0;  // of a joint of one's own, in this step
+
+    ConstraintRow& add(RowKind kind, int slot, const Jacobian& j, real error, bool angular);
 };
 
 inline real speedAlong(const Jacobian& j, const BodyMotion<real>& a, const BodyMotion<real>& b)

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "joints/tick.hpp"
 
+#include "joints/softness.hpp"
+
 #include <tamias2d/math/scalar.hpp>
 
 #include <algorithm>
@@ -46,7 +48,7 @@ void groupBodies(const MotionTable& motions, JointSystem& system)
         while (group[i] != i) i = group[i] = group[group[i]];
         return i;
     };
-    for (const JointRows& joint : system.joints) {
+    for (const JointTie& joint : system.ties) {
         const std::uint32_t first = joint.movingRow(motions.rows);
         joint.eachRow([&](std::uint32_t row) {
             if (!motions.rows[row].moves()) return;
@@ -70,19 +72,16 @@ void groupBodies(const MotionTable& motions, JointSystem& system)
     for (std::uint32_t& g : group)
         if (g != JointSystem::kNone) g = numbers[g];
     system.wholeGroups.assign(count, 0);
-    for (JointRows& joint : system.joints) joint.group = group[joint.movingRow(motions.rows)];
+    for (JointTie& joint : system.ties) joint.group = group[joint.movingRow(motions.rows)];
 }
 
 // --- which groups are solved at once: docs/theory/joints.md, section 7
 
-constexpr real kGive = real(1e-3);    // of the arms: what a soft joint may give way
-constexpr int kHold = 30;             // steps for which a group stays so
-constexpr int kLasting = 4;           // ticks on end: what is over sooner is a blow or corrects an error
 constexpr std::size_t kFew = 4;       // bodies of which solving at once costs no more
 constexpr std::size_t kMany = 300;    // bodies from which it costs too much
 constexpr std::size_t kFill = 4;      // blocks for each body, likewise
 
-bool isUneven(const JointRows& joint, const Table<Motion>& motions)
+bool isUneven(const JointTie& joint, const Table<Motion>& motions)
 {
     if (!joint.more) return areUneven(motions[joint.rowA], motions[joint.rowB], kUnevenTies);
     return joint.anyRow([&](std::uint32_t a) {
@@ -97,6 +96,33 @@ bool isOfSeveral(const JointRow& joint)
     return std::holds_alternative<PulleyJoint>(joint.def.kind) || blocksOf(joint.layout) > 1;
 }
 
+// What lanes can take: a hinge of two bodies that the passes visit softly, and that have few enough of them
+// for each to have a color of its own.
+void choosePlain(const JointTable& table, const Table<Motion>& motions, JointSystem& system)
+{
+    constexpr std::uint8_t kMostAt = 32;
+    std::vector<std::uint8_t>& at = system.hingesAt;
+    at.assign(motions.size(), 0);
+    const auto mayBePlain = [&](const JointTie& tie) {
+        return std::holds_alternative<RevoluteJoint>(table.rows[tie.joint].def.kind) &&
+               tie.rowA != tie.rowB && !system.stiffGroups[tie.group] && system.members[tie.group] > 1;
+    };
+    for (const JointTie& tie : system.ties)
+        if (mayBePlain(tie))
+            for (const std::uint32_t row : {tie.rowA, tie.rowB})
+                if (motions[row].moves() && at[row] <= kMostAt) ++at[row];
+    system.joints.clear();
+    system.hinges.clear();
+    for (const JointTie& tie : system.ties) {
+        if (mayBePlain(tie) && at[tie.rowA] <= kMostAt && at[tie.rowB] <= kMostAt) {
+            system.hinges.push_back(tie);
+            continue;
+        }
+        system.joints.emplace_back();
+        static_cast<JointTie&>(system.joints.back()) = tie;
+    }
+}
+
 void chooseStiff(JointTable& table, const Table<Motion>& motions, JointSystem& system)
 {
     const std::size_t groups = system.wholeGroups.size();
@@ -108,24 +134,28 @@ void chooseStiff(JointTable& table, const Table<Motion>& motions, JointSystem& s
     system.piledGroups.assign(groups, 0);
     for (const std::uint32_t group : system.groupOf)
         if (group != JointSystem::kNone) ++bodies[group];
-    for (const JointRows& rows : system.joints) {
-        JointRow& joint = table.rows[rows.joint];
-        members[rows.group] += isOfSeveral(joint) ? 2 : 1;
-        if (isUneven(rows, motions)) {
+    for (const JointTie& tie : system.ties) {
+        JointRow& joint = table.rows[tie.joint];
+        members[tie.group] += isOfSeveral(joint) ? 2 : 1;
+        if (isUneven(tie, motions)) {
             joint.stiffSteps = kHold;
-            system.unevenGroups[rows.group] = 1;
+            system.unevenGroups[tie.group] = 1;
         }
         if (joint.stiffSteps > 0) {
             --joint.stiffSteps;
-            system.stiffGroups[rows.group] = 1;
+            system.stiffGroups[tie.group] = 1;
         }
     }
     for (std::size_t g = 0; g < groups; ++g) {
         if (bodies[g] <= kFew) system.stiffGroups[g] = 1;
         if (members[g] < 2 || bodies[g] > kMany) system.stiffGroups[g] = 0;
     }
+}
 
-    // Their joints, and the order in which their bodies are eliminated.
+// The joints of stiff groups, and the order in which their bodies are eliminated.
+void orderStiff(const Table<Motion>& motions, JointSystem& system)
+{
+    const std::size_t groups = system.wholeGroups.size();
     std::vector<std::size_t>& placeOf = system.placeOf;
     placeOf.assign(groups, 0);
     system.directCount = 0;
@@ -151,7 +181,7 @@ void chooseStiff(JointTable& table, const Table<Motion>& motions, JointSystem& s
     }
     system.directCount = kept;
     for (JointRows& rows : system.joints)
-        rows.rigidly = members[rows.group] == 1 || system.stiffGroups[rows.group];
+        rows.rigidly = system.members[rows.group] == 1 || system.stiffGroups[rows.group];
 }
 
 // Adds the velocity changes of impulses, one for each row of the joint, to the steady ones of its bodies.
@@ -190,7 +220,7 @@ void forgetSums(JointRow& joint)
 
 void listJoints(JointTable& table, const BodyTable& bodies, const MotionTable& motions, JointSystem& system)
 {
-    system.joints.clear();
+    system.ties.clear();
     system.fallbacks = 0;
     sortJoints(table, motions, system.order);
     const auto hasMore = [&](std::uint32_t slot) { return !table.rows[slot].more.empty(); };
@@ -199,20 +229,22 @@ void listJoints(JointTable& table, const BodyTable& bodies, const MotionTable& m
     std::size_t more = 0;
     for (const std::uint32_t slot : system.order) {
         const JointRow& joint = table.rows[slot];
-        JointRows rows;
-        rows.joint = slot;
-        rows.rowA = motions.rowOf[joint.bodyA];
-        rows.rowB = motions.rowOf[joint.bodyB];
-        rows.own = std::holds_alternative<OwnJoint>(joint.def.kind);
+        JointTie tie;
+        tie.joint = slot;
+        tie.rowA = motions.rowOf[joint.bodyA];
+        tie.rowB = motions.rowOf[joint.bodyB];
+        tie.own = std::holds_alternative<OwnJoint>(joint.def.kind);
         if (hasMore(slot)) {
-            rows.more = &system.more[more++];
+            tie.more = &system.more[more++];
             for (const std::uint32_t body : joint.more)
-                rows.more->rows[rows.more->count++] = motions.rowOf[body];
+                tie.more->rows[tie.more->count++] = motions.rowOf[body];
         }
-        system.joints.push_back(rows);
+        system.ties.push_back(tie);
     }
     groupBodies(motions, system);
     chooseStiff(table, motions.rows, system);
+    choosePlain(table, motions.rows, system);
+    orderStiff(motions.rows, system);
     measureJoints(table, bodies, motions, system);
 }
 
@@ -245,13 +277,13 @@ void soften(JointSystem& system, std::size_t direct)
 void gatherJoints(JointTable& table, const BodyTable& bodies, const MotionTable& motions, JointSystem& system)
 {
     // Those that have left did nothing in this step, but what sleeps goes on to bear what it bore.
-    for (const JointRows& old : system.joints) {
+    for (const JointTie& old : system.ties) {
         JointRow& joint = table.rows[old.joint];
         if (!bodies.rows[joint.bodyA].isAsleep() && !bodies.rows[joint.bodyB].isAsleep()) forgetSums(joint);
     }
     system.ownFaults = 0;
     listJoints(table, bodies, motions, system);
-    for (const JointRows& rows : system.joints) forgetSums(table.rows[rows.joint]);
+    for (const JointTie& tie : system.ties) forgetSums(table.rows[tie.joint]);
 }
 
 void bringInJoints(JointTable& table, const BodyTable& bodies, MotionTable& motions, JointSystem& system,
@@ -264,13 +296,17 @@ void bringInJoints(JointTable& table, const BodyTable& bodies, MotionTable& moti
         forgetSums(table.rows[joint.joint]);
         addSteadyJoint(table, joint, motions.rows);
     }
+    for (const JointTie& tie : system.hinges)
+        if (tie.rowA >= firstRow || tie.rowB >= firstRow) forgetSums(table.rows[tie.joint]);
+    addSteadyHinges(table, bodies, system, motions.rows, firstRow);
     spreadLoad(system, motions.rows);
 }
 
 void measureJoints(JointTable& table, const BodyTable& bodies, const MotionTable& motions,
-                   JointSystem& system)
+                   JointSystem& system, std::size_t first)
 {
-    for (JointRows& rows : system.joints) {
+    for (std::size_t j = first; j < system.joints.size(); ++j) {
+        JointRows& rows = system.joints[j];
         JointRow& joint = table.rows[rows.joint];
         const Motion &a = motions.rows[rows.rowA], &b = motions.rows[rows.rowB];
         if (rows.own) {
@@ -341,7 +377,6 @@ Vec2 addPull(const JointRows& joint, ImpulseOf impulseOf, std::vector<real>& pul
 void guardLightBodies(const JointTable& table, const BodyTable& bodies, JointSystem& system,
                       Table<Motion>& rows, const StepContext& context)
 {
-    system.pull.assign(rows.size(), 0);
     for (JointRows& joint : system.joints) {
         const JointRow& carried = table.rows[joint.joint];
         const Vec2 onB =
@@ -394,6 +429,28 @@ void releaseGuard(const BodyTable& bodies, Table<Motion>& rows)
 void addSteadyJoints(const JointTable& table, const JointSystem& system, Table<Motion>& rows)
 {
     for (const JointRows& joint : system.joints) addSteadyJoint(table, joint, rows);
+}
+
+void addSteadyHinges(const JointTable& table, const BodyTable& bodies, const JointSystem& system,
+                     Table<Motion>& rows, std::size_t firstRow)
+{
+    for (const JointTie& tie : system.hinges) {
+        if (tie.rowA < firstRow && tie.rowB < firstRow) continue;
+        const JointRow& joint = table.rows[tie.joint];
+        const auto& hinge = std::get<RevoluteJoint>(joint.def.kind);
+        const real* const carried = joint.impulses;
+        const Vec2 impulse{carried[JointSlot::kBlock], carried[JointSlot::kBlock + 1]};
+        const real turn = carried[JointSlot::kSpring] + carried[JointSlot::kMotor] +
+                          carried[JointSlot::kLower] - carried[JointSlot::kUpper];
+        const auto add = [&](Motion& m, std::uint32_t body, Vec2 anchor, real sign) {
+            if (!m.moves()) return;
+            const Vec2 arm = rotate(m.rotation, anchor - bodies.rows[body].localCenter);
+            m.steady += {sign * m.invMass.x * impulse.x, sign * m.invMass.y * impulse.y};
+            m.steadySpin += sign * m.invInertia * (turn + cross(arm, impulse));
+        };
+        add(rows[tie.rowA], joint.bodyA, hinge.anchorA, -1);
+        add(rows[tie.rowB], joint.bodyB, hinge.anchorB, 1);
+    }
 }
 
 void spreadLoad(JointSystem& system, Table<Motion>& rows)
@@ -515,7 +572,7 @@ void keepJoints(JointTable& table, const JointSystem& system, const StepContext&
             const real arms = length(joint.armA) + length(joint.armB);
             const real give = row.angular ? real(0) : predictedGive(row, carried, context.h);
             const bool bears = row.kind == RowKind::Rigid || row.bears;
-            strained = strained || (bears && give > kGive * arms);
+            strained = strained || (bears && give > kMostGive * arms);
             if (row.kind != RowKind::Limit) continue;
             // The blow with which a limit is met is not a load it will bear.
             const int side = row.slot - JointSlot::kLower;

@@ -17,11 +17,13 @@ struct ProjectionScratch {
     std::vector<real> impulses;  // by joint and row
 };
 
-/// The joints at work in a step, in the order in which they are solved; keeps its memory.
+/// The joints at work in a step, each list in the order of its bodies; keeps its memory.
 struct JointSystem {
     static constexpr std::uint32_t kNone = 0xffffffffu;
 
-    std::vector<JointRows> joints;
+    std::vector<JointTie> ties;              // all of them
+    std::vector<JointRows> joints;           // those that are visited one by one, or at once
+    std::vector<JointTie> hinges;            // the others, which are left to lanes: HingeLanes
     std::vector<std::uint32_t> groupOf;      // by row: of the bodies that joints tie together; or kNone
     std::vector<std::uint8_t> stiffGroups;   // by group: solved at once
     std::vector<std::uint8_t> unevenGroups;  // by group: of masses that soft rows cannot be trusted with
@@ -35,11 +37,12 @@ struct JointSystem {
     ProjectionScratch projection;
     std::vector<BodyMotion<real>> velocities;   // scratch
     std::vector<BodyMotion<real>> before;    // by row, scratch
-    std::vector<real> unrest, unrestBefore;  // by group, scratch   [m/s]
+    std::vector<std::uint8_t> unrest, unrestBefore;  // by group, scratch
     std::vector<real> fastest;               // by island, scratch  [m/s]
     std::vector<std::uint32_t> order;        // scratch
     std::vector<std::uint32_t> numbers;      // by row, scratch
     std::vector<std::size_t> members, bodies, placeOf;   // by group, scratch
+    std::vector<std::uint8_t> hingesAt;      // by row, scratch: how many, up to 255
     std::vector<std::uint8_t> hit;           // by row: by an impact in this tick
     std::vector<real> pull;                  // by row, scratch: sum of tension times arm   [N*m*s]
     std::vector<MoreBodies> more;            // of the joints that have more than two
@@ -48,7 +51,7 @@ struct JointSystem {
     /// Times in the step that a constraint of one's own had no answer, or none that can be.
     std::uint32_t countFaults() const;
 
-    bool empty() const { return joints.empty(); }
+    bool empty() const { return ties.empty(); }
     std::uint32_t groupOfDirect(std::size_t place) const
     {
         return joints[direct[place].joints.front()].group;
@@ -76,12 +79,26 @@ void bringInJoints(JointTable& table, const BodyTable& bodies, MotionTable& moti
 /// The group at place `direct` is not solved at once for the rest of the step, but joint by joint, softly.
 void soften(JointSystem& system, std::size_t direct);
 
-/// Errors, Jacobians and effective masses at the present poses.
+/// Takes hinges away from the lanes, at the start of a step or of a tick: those of which a body `isOf` says
+/// so, are visited one by one, once they have been measured.
+template <class Test>
+void takeFromLanes(JointSystem& system, Test isOf)
+{
+    std::erase_if(system.hinges, [&](const JointTie& tie) {
+        if (!isOf(tie)) return false;
+        system.joints.emplace_back();
+        static_cast<JointTie&>(system.joints.back()) = tie;
+        return true;
+    });
+}
+
+/// Errors, Jacobians and effective masses at the present poses, of the joints from `first` on.
 void measureJoints(JointTable& table, const BodyTable& bodies, const MotionTable& motions,
-                   JointSystem& system);
+                   JointSystem& system, std::size_t first = 0);
 
 /// Light bodies between heavy loads turn under them faster than a tick can follow. They are given so much
 /// moment of inertia for the tick that it can [eq. 11].
+/// `system.pull` holds what lanes have added for theirs, by row.
 void guardLightBodies(const JointTable& table, const BodyTable& bodies, JointSystem& system,
                       Table<Motion>& rows, const StepContext& context);
 
@@ -91,6 +108,10 @@ void findOutgrown(JointSystem& system, const Table<Motion>& rows, const StepCont
 
 /// After the last tick of a step: their own moments of inertia again.
 void releaseGuard(const BodyTable& bodies, Table<Motion>& rows);
+
+/// The same for the hinges that are left to lanes, from the table.
+void addSteadyHinges(const JointTable& table, const BodyTable& bodies, const JointSystem& system,
+                     Table<Motion>& rows, std::size_t firstRow);
 
 /// Adds the velocity changes of the impulses that joints carry to `steady`.
 void addSteadyJoints(const JointTable& table, const JointSystem& system, Table<Motion>& rows);

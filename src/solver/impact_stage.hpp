@@ -11,6 +11,7 @@
 #include "model/step_context.hpp"
 #include "solver/body_kernels.hpp"
 #include "solver/contact_passes.hpp"
+#include "solver/hinge_lanes.hpp"
 #include "solver/impact_scratch.hpp"
 
 #include <tamias2d/model/clamps.hpp>
@@ -41,6 +42,7 @@ struct ImpactStage {
     TickRows& rows;
     JointTable& joints;
     JointSystem& system;
+    HingeLanes& hinges;
     Table<SweepBox>& boxes;          // of the broad phase: grown for bodies thrown out of theirs
     std::vector<ImpactRecord>& records;
     ImpactScratch& scratch;

@@ -83,6 +83,8 @@ void passOverJoints(const JointWorld& world, JointSystem& system, real restless,
     const auto isVisited = [&](const JointRows& joint) {
         return visited == nullptr || visited[islandOf(joint)] != 0;
     };
+    if (!world.hinges.empty())
+        world.hinges.pass(world.motions.rows, world.rows, visited, unrest.data(), restless, world.context);
     for (JointRows& joint : system.joints) {
         if (!isVisited(joint) || system.piledGroups[joint.group]) continue;
         if (visited != nullptr) aim(world, velocities, joint);
@@ -167,6 +169,8 @@ void findLost(const JointWorld& world, const Table<LaneRow>& velocities, JointSy
         const real change = aim(world, velocities, joint);
         if (!(change <= trusted)) lost[joint.group] = 1;
     }
+    if (!world.hinges.empty())
+        world.hinges.findLost(world.motions.rows, world.rows, lost, trusted, world.context);
     findOutgrown(system, world.motions.rows, world.context, outgrown);
     for (std::size_t d = 0; d < system.directCount; ++d) {
         const std::uint32_t group = system.groupOfDirect(d);
@@ -186,6 +190,8 @@ void settleLost(const JointWorld& world, JointSystem& system, const Table<LaneRo
         std::uint8_t& is = lost[system.groupOfDirect(d)];
         if (is != 0 && project(world, system, system.direct[d], before, velocities)) is = 0;
     }
+    if (!world.hinges.empty() && std::find(lost.begin(), lost.end(), std::uint8_t{1}) != lost.end())
+        world.hinges.flatten(lost, world.rows, world.context);
     for (JointRows& joint : system.joints) {
         if (lost[joint.group] == 0) continue;
         flattenRows(joint, world.context);
@@ -271,25 +277,26 @@ bool softenThrown(JointSystem& system, const Table<Motion>& motions, const Islan
     return thrown;
 }
 
-void settleJoints(JointSystem& system, Table<Motion>& rows, Table<TickChange>& changes,
+void settleJoints(JointSystem& system, HingeLanes& hinges, Table<Motion>& rows, Table<TickChange>& changes,
                   const StepContext& context)
 {
     const real restless = context.tuning.restless * context.lengthUnit;
     std::vector<BodyMotion<real>>& old = system.before;
     old.resize(rows.size());
     for (std::size_t i = 0; i < rows.size(); ++i) old[i] = velocityOf(rows[i]);
-    std::vector<real>&unrest = system.unrest, &before = system.unrestBefore;
-    unrest.assign(system.wholeGroups.size(), 0);
-    before.clear();
+    std::vector<std::uint8_t>&unrest = system.unrest, &visited = system.unrestBefore;
+    const std::size_t groups = system.wholeGroups.size();
+    visited.assign(groups, 1);
     for (int pass = 0; pass <= context.tuning.extraPasses; ++pass) {
+        unrest.assign(groups, 0);
+        if (!hinges.empty())
+            hinges.settlingPass(rows, pass == 0 ? nullptr : visited.data(), unrest.data(), restless);
         for (JointRows& joint : system.joints) {
-            if (system.stiffGroups[joint.group]) continue;
-            if (!before.empty() && !(before[joint.group] > restless)) continue;
-            unrest[joint.group] = maximum(unrest[joint.group], visit(joint, rows, rows));
+            if (system.stiffGroups[joint.group] || visited[joint.group] == 0) continue;
+            if (visit(joint, rows, rows) > restless) unrest[joint.group] = 1;
         }
-        before.swap(unrest);
-        unrest.assign(before.size(), 0);
-        if (std::none_of(before.begin(), before.end(), [&](real u) { return u > restless; })) break;
+        visited.swap(unrest);
+        if (std::find(visited.begin(), visited.end(), std::uint8_t{1}) == visited.end()) break;
     }
     for (std::size_t d = 0; d < system.directCount; ++d) visitGroup(system.direct[d], system, rows, rows);
     for (std::size_t i = 0; i < rows.size(); ++i) {

@@ -5,6 +5,7 @@
 #include "islands/links.hpp"
 #include "joints/tick.hpp"
 #include "solver/calm.hpp"
+#include "solver/hinge_lanes.hpp"
 #include "solver/tick_rows.hpp"
 
 #include <vector>
@@ -15,9 +16,11 @@ namespace tamias2d::inline TAMIAS_PRECISION {
 struct JointWorld {
     const JointTable& joints;
     const BodyTable& bodies;
-    const MotionTable& motions;
+    MotionTable& motions;
     const Islands& islands;
     const StepContext& context;
+    HingeLanes& hinges;
+    TickRows& rows;
 };
 
 /// One visit to a joint; returns the greatest change of speed it made.   [m/s]
@@ -52,7 +55,7 @@ bool softenThrown(JointSystem& system, const Table<Motion>& motions, const Islan
 
 /// After the second kick: what is tied together does not go on moving apart. Adds what that changes to
 /// `changes` and to `steady`.
-void settleJoints(JointSystem& system, Table<Motion>& rows, Table<TickChange>& changes,
+void settleJoints(JointSystem& system, HingeLanes& hinges, Table<Motion>& rows, Table<TickChange>& changes,
                   const StepContext& context);
 
 }  // namespace tamias2d::inline TAMIAS_PRECISION

@@ -3,10 +3,12 @@
 
 #include "solver/body_kernels_of.hpp"
 #include "solver/contact_kernels_of.hpp"
+#include "solver/hinge_kernels_of.hpp"
 
 namespace tamias2d::inline TAMIAS_PRECISION {
 
 template struct BodyKernelsOf<kLanes32>;
 template struct ContactKernels<kLanes32>;
+template struct HingeKernels<kLanes32>;
 
 }  // namespace tamias2d::inline TAMIAS_PRECISION

@@ -94,6 +94,7 @@ void rouse(ImpactStage& stage, std::uint32_t group, const StepContext& context, 
     bringInPartners(stage, sleepers, context);
     for (std::size_t row = first; row < motions.rows.size(); ++row)
         takeSteady(motions.rows[row], stage.rows.steady[row]);
+    stage.hinges.storeAll(stage.joints);
     bringInJoints(stage.joints, stage.world.bodies, motions, stage.system, first);
     for (std::size_t row = first; row < motions.rows.size(); ++row) {
         Motion& m = motions.rows[row];

@@ -20,6 +20,7 @@ void addSteadyOfJoints(SolverStage& stage, TickRows& lanes)
     Table<Motion>& rows = stage.motions.rows;
     for (std::size_t i = 0; i < rows.size(); ++i) takeSteady(rows[i], lanes.steady[i]);
     addSteadyJoints(stage.joints, stage.system, rows);
+    stage.scratch.hinges().addSteady(rows);
     spreadLoad(stage.system, rows);
     for (std::size_t i = 0; i < rows.size(); ++i) lanes.steady[i] = steadyRow(rows[i]);
 }
@@ -43,10 +44,34 @@ void turnJoints(SolverStage& stage, Table<TickChange>& changes, const StepContex
             changes[i].spin += sign / 2 * rows[i].steadySpin;
         }
     };
+    HingeLanes& hinges = stage.scratch.hinges();
     measureJoints(stage.joints, stage.world.bodies, stage.motions, stage.system);
+    hinges.measure(rows, stage.scratch.rows);
     note(-1);
     turnSteadyJoints(stage.system, rows, context);
+    hinges.settle(rows, context);
     note(1);
+}
+
+// Those that are in no lanes yet, or no more: what may become a pile is not, as all of that is solved at
+// once.
+void seatJoints(SolverStage& stage)
+{
+    JointSystem& system = stage.system;
+    const std::size_t measured = system.joints.size();
+    stage.scratch.passes.pile(stage.contacts, stage.motions, system);
+    measureJoints(stage.joints, stage.world.bodies, stage.motions, system, measured);
+    if (!stage.scratch.hinges().empty() || !system.hinges.empty())
+        stage.scratch.hinges().build(system, stage.joints, stage.world.bodies, stage.motions, stage.islands,
+                                     stage.scratch.rows);
+}
+
+void guard(SolverStage& stage, const StepContext& context)
+{
+    JointSystem& system = stage.system;
+    system.pull.assign(stage.motions.rows.size(), 0);
+    stage.scratch.hinges().addPull(system.pull);
+    guardLightBodies(stage.joints, stage.world.bodies, system, stage.motions.rows, context);
 }
 
 void markHits(SolverStage& stage)
@@ -88,8 +113,11 @@ void passOver(SolverStage& stage, const JointWorld& world)
     if (!stage.system.empty()) scratch.before = velocities;
     if (isWatched) scratch.passes.keep(stage.contacts);
     for (;;) {
-        if (!stage.system.empty())
+        if (!stage.system.empty()) {
             startJoints(stage.joints, stage.world.bodies, stage.motions, world.context, stage.system);
+            if (!world.hinges.empty())
+                world.hinges.start(stage.motions.rows, scratch.rows, stage.system.wholeGroups, world.context);
+        }
         scratch.passes.solve(stage.contacts, stage.motions, scratch.rows, world.context, &world,
                              &stage.system);
         if (!isWatched || !softenThrown(stage.system, stage.motions.rows, stage.islands, scratch.before,
@@ -138,6 +166,8 @@ void SolverScratch::suit(std::size_t count)
     most_ = maximum(most_, count);
     const LaneWidth width = suitedLanes(asked_, most_);
     passes.use(width);
+    if (width != width_) hinges_ = makeHingeLanes(width, parallel_);
+    width_ = width;
     bodyKernelsOfStep_ = &bodyKernels(width);
 }
 
@@ -149,11 +179,11 @@ SolverCounts solve(SolverStage& stage, const StepContext& context)
     TickRows& lanes = scratch.rows;
     std::uint32_t groups = 0;
     scratch.suit(rows.size());
-    ImpactStage impacts{stage.world,   stage.field,     stage.resting,  stage.asleep,     stage.islands,
-                        stage.motions, stage.contacts,  scratch.passes, scratch.bodies(), lanes,
-                        stage.joints,  stage.system,    stage.boxes,    stage.impacts,    scratch.impacts,
-                        counts.clamps, counts.repaired, groups,         counts.lawFaults, stage.roused,
-                        stage.parallel};
+    ImpactStage impacts{stage.world,     stage.field,    stage.resting,    stage.asleep,     stage.islands,
+                        stage.motions,   stage.contacts, scratch.passes,   scratch.bodies(), lanes,
+                        stage.joints,    stage.system,   scratch.hinges(), stage.boxes,      stage.impacts,
+                        scratch.impacts, counts.clamps,  counts.repaired,  groups,           counts.lawFaults,
+                        stage.roused,    stage.parallel};
 
     lanes.origins.resize(rows.size());
     lanes.poses.resize(rows.size());
@@ -165,7 +195,8 @@ SolverCounts solve(SolverStage& stage, const StepContext& context)
     }
     scratch.passes.begin(stage.contacts, stage.motions, stage.islands, context,
                          stage.sameContacts && stage.system.empty(), stage.renewed);
-    scratch.passes.pile(stage.contacts, stage.motions, stage.system);
+    seatJoints(stage);
+    HingeLanes& hinges = scratch.hinges();
     std::size_t roused = 0;
     startSweeps(impacts, context, stage.sameContacts ? &stage.renewed : nullptr);
     findCalmRows(stage.islands, scratch.calmRows);
@@ -193,7 +224,7 @@ SolverCounts solve(SolverStage& stage, const StepContext& context)
         resweepForTick(impacts, context);
         span.next("warm start");
         bool hasJoints = !stage.system.empty();
-        if (hasJoints) guardLightBodies(stage.joints, stage.world.bodies, stage.system, rows, context);
+        if (hasJoints) guard(stage, context);
         scratch.passes.prepare(stage.contacts, stage.motions, lanes, context);
         if (hasJoints) addSteadyOfJoints(stage, lanes);
         startTick(impacts, context, tick);
@@ -201,7 +232,7 @@ SolverCounts solve(SolverStage& stage, const StepContext& context)
         applyImpacts(impacts, context, tick);
         if (!stage.roused.empty()) varies = stage.field.varies(stage.motions, stage.world.bodies);
         hasJoints = !stage.system.empty();  // those of sleepers that were hit, too
-        if (stage.roused.size() > roused) scratch.passes.pile(stage.contacts, stage.motions, stage.system);
+        if (stage.roused.size() > roused) seatJoints(stage);
         roused = stage.roused.size();
         counts.impactTime += watch.lap();
 
@@ -210,13 +241,15 @@ SolverCounts solve(SolverStage& stage, const StepContext& context)
         stage.parallel.forEach(rows.size(), kBodyGrain, [&](const Chunk& chunk) {
             scratch.bodies().kick(bodiesOf(chunk, rows, lanes), context, scratch.impacts.kicked);
         });
-        const JointWorld jointWorld{stage.joints, stage.world.bodies, stage.motions, stage.islands, context};
+        const JointWorld jointWorld{
+            stage.joints, stage.world.bodies, stage.motions, stage.islands, context, hinges, lanes};
         passOver(stage, jointWorld);
         scratch.passes.finish(stage.contacts, stage.motions, lanes, &jointWorld, &stage.system);
         if (hasJoints) {
             settleLost(jointWorld, stage.system, scratch.before, lanes.velocities);
             storeJointed(stage, lanes);
             tallyJoints(stage.joints, stage.system, rows);
+            hinges.tally(rows);
         }
         if (tick == 0) lanes.pushes.assign(rows.size(), {});
         if (tick == 0)
@@ -235,10 +268,12 @@ SolverCounts solve(SolverStage& stage, const StepContext& context)
         }
         if (hasJoints) {
             span.next("joints");
-            settleJoints(stage.system, rows, lanes.changes, context);
+            settleJoints(stage.system, hinges, rows, lanes.changes, context);
             markHits(stage);
             tallyJoints(stage.joints, stage.system, rows);
+            hinges.tally(rows);
             keepJoints(stage.joints, stage.system, context);
+            hinges.keep(stage.system.hit, context);
         }
         span.next("calm");
         calm(stage, context);
@@ -247,6 +282,7 @@ SolverCounts solve(SolverStage& stage, const StepContext& context)
     scratch.passes.endPiles(stage.contacts, stage.motions, context);
     counts.piles = static_cast<std::uint32_t>(scratch.passes.piles().count());
     counts.pileFallbacks = scratch.passes.piles().fallbacks();
+    hinges.storeAll(stage.joints);
     if (!stage.system.empty()) releaseGuard(stage.world.bodies, rows);
     scratch.passes.end(stage.contacts);
     endSweeps(impacts);

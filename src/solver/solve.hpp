@@ -10,6 +10,7 @@
 #include "solver/body_kernels.hpp"
 #include "solver/calm.hpp"
 #include "solver/contact_passes.hpp"
+#include "solver/hinge_lanes.hpp"
 #include "solver/impacts.hpp"
 
 namespace tamias2d::inline TAMIAS_PRECISION {
@@ -23,15 +24,22 @@ struct SolverScratch {
     ContactPasses passes;
     ImpactScratch impacts;
 
-    SolverScratch(LaneWidth lanes, Parallel& parallel) : passes(parallel), asked_(askedLanes(lanes)) {}
+    SolverScratch(LaneWidth lanes, Parallel& parallel)
+        : passes(parallel), parallel_(parallel), asked_(askedLanes(lanes))
+    {
+    }
 
     /// Before each step: the width for the most rows there have been. Lanes of another width would need
     /// memory of their own, and a warm world asks for none.
     void suit(std::size_t count);
     const BodyKernels& bodies() const { return *bodyKernelsOfStep_; }
+    HingeLanes& hinges() { return *hinges_; }
 
 private:
+    Parallel& parallel_;
     LaneWidth asked_;
+    LaneWidth width_ = LaneWidth::Best;   // of the hinges
+    std::unique_ptr<HingeLanes> hinges_;
     std::size_t most_ = 0;  // rows, ever
     const BodyKernels* bodyKernelsOfStep_ = nullptr;
 };

@@ -137,7 +137,7 @@ void StiffPiles::connect(const ContactTable& contacts, const MotionTable& motion
     links_.clear();
     for (const Contact& c : contacts.rows)
         if (c.count > 0) links_.push_back({c.rowA, c.rowB});
-    for (const JointRows& joint : joints.joints) {
+    for (const JointTie& joint : joints.ties) {
         const std::uint32_t moving = joint.movingRow(motions.rows);
         joint.eachRow([&](std::uint32_t row) {
             if (row != moving) links_.push_back({moving, row});
@@ -163,7 +163,7 @@ void StiffPiles::findCandidates(const ContactTable& contacts, const MotionTable&
         const bool isA = rows[rowA].greatestInvMass() > rows[rowB].greatestInvMass();
         isLight_[isA ? rowA : rowB] = maximum(isLight_[isA ? rowA : rowB], as);
     };
-    for (const JointRows& joint : joints.joints)
+    for (const JointTie& joint : joints.ties)
         joint.eachRow(
             [&](std::uint32_t a) { joint.eachRow([&](std::uint32_t b) { look(a, b, Lightness::Tied); }); });
     for (const Contact& c : contacts.rows) {
@@ -188,6 +188,10 @@ void StiffPiles::begin(ContactTable& contacts, const MotionTable& motions, Joint
     if (!mayBeUneven(motions)) return;
     connect(contacts, motions, joints);
     findCandidates(contacts, motions, joints);
+    takeFromLanes(joints, [&](const JointTie& tie) {
+        const std::uint32_t island = nearOf(tie.rowA, tie.rowB);
+        return island != kNone && candidates_[island] != 0;
+    });
     pileOfNear_.assign(near_.count(), kNone);
     for (const Contact& c : contacts.rows) {
         if (c.count == 0 || c.stiffSteps <= 0) continue;

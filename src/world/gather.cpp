@@ -45,6 +45,7 @@ void predictSteady(const ContactTable& contacts, const BodyTable& bodies, const 
                    const StepContext& context)
 {
     addSteadyJoints(joints, system, motions.rows);
+    addSteadyHinges(joints, bodies, system, motions.rows, 0);
     Motion still;
     for (const Contact& c : contacts.rows) {
         const std::uint32_t bodyA = shapes.rows[c.shapeA].body, bodyB = shapes.rows[c.shapeB].body;

@@ -397,16 +397,15 @@ void World::Impl::fallAsleep(const StepContext& context)
     for (const Contact& c : contacts.rows)
         if (isBond(c) && motions.rows[c.rowA].moves() && motions.rows[c.rowB].moves())
             sets.join(c.rowA, c.rowB);
-    for (const JointRows& joint : jointSystem.joints)
+    for (const JointTie& joint : jointSystem.ties)
         joint.eachRow([&](std::uint32_t row) {
             if (motions.rows[row].moves()) sets.join(joint.movingRow(motions.rows), row);
         });
     std::vector<SleepScratch::Verdict>& verdicts = sleepScratch.verdicts;
     verdicts.assign(rows, {});
-    for (const JointRows& joint : jointSystem.joints) {
+    for (const JointTie& joint : jointSystem.ties) {
         SleepScratch::Verdict& verdict = verdicts[sets.leader(joint.movingRow(motions.rows))];
-        const bool runs =
-            joint.own ? hasRunningMotor(joint) : hasRunningMotor(joints.rows[joint.joint].def.kind);
+        const bool runs = hasRunningMotor(joints.rows[joint.joint].def.kind);
         verdict.restless = verdict.restless || runs;
         verdict.grounded = verdict.grounded || joint.rowA == joint.rowB;  // it is held by the world
         joint.eachRow([&](std::uint32_t row) {
@@ -416,6 +415,9 @@ void World::Impl::fallAsleep(const StepContext& context)
             verdict.grounded = true;
         });
     }
+    for (const JointRows& joint : jointSystem.joints)
+        if (joint.own && hasRunningMotor(joint))
+            verdicts[sets.leader(joint.movingRow(motions.rows))].restless = true;
     for (const Contact& c : contacts.rows) {
         if (!isBond(c)) continue;
         const std::uint32_t pair[2] = {c.rowA, c.rowB};

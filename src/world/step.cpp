@@ -73,7 +73,7 @@ void linkTouching(const JointSystem& system, const MotionTable& motions, GraphSc
 {
     std::vector<Link>& links = graph.links;
     listLinks(graph, Nearness::Linked);
-    for (const JointRows& joint : system.joints) {
+    for (const JointTie& joint : system.ties) {
         links.push_back({joint.rowA, joint.rowB});
         const std::uint32_t moving = joint.movingRow(motions.rows);
         for (int k = 0; joint.more && k < joint.more->count; ++k)
@@ -146,7 +146,7 @@ void World::Impl::breakJoints()
     breaks.clear();
     std::vector<std::uint32_t>& slots = met;
     slots.clear();
-    for (const JointRows& rows : jointSystem.joints)
+    for (const JointTie& rows : jointSystem.ties)
         if (joints.rows[rows.joint].def.breaking != JointBreaking{}) slots.push_back(rows.joint);
     std::sort(slots.begin(), slots.end());
     const double rounding = stepTime / 1000;  // of many steps that add up to a window
@@ -328,7 +328,7 @@ StepReport World::Impl::step(double dt, int substeps)
     r.shapes = census.shapes;
     r.pairs = static_cast<std::uint32_t>(contacts.rows.size());
     r.impacts = static_cast<std::uint32_t>(impacts.size());
-    r.joints = static_cast<std::uint32_t>(jointSystem.joints.size());
+    r.joints = static_cast<std::uint32_t>(jointSystem.ties.size());
     r.stiffGroups = static_cast<std::uint32_t>(jointSystem.directCount) + counts.piles;
     r.stiffFallbacks = jointSystem.fallbacks + counts.pileFallbacks;
     r.jointFaults = jointSystem.countFaults();
