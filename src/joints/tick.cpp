@@ -96,8 +96,15 @@ bool isOfSeveral(const JointRow& joint)
     return std::holds_alternative<PulleyJoint>(joint.def.kind) || blocksOf(joint.layout) > 1;
 }
 
+// Do its loops make it too expensive?
+bool fillsUp(const DirectGroup& group)
+{
+    return group.matrix.fill() > kFill * group.rows.size();
+}
+
 // What lanes can take: a hinge of two bodies that the passes visit softly, and that have few enough of them
-// for each to have a color of its own.
+// for each to have a color of its own. Not where a target pulls: such a group may be solved at once from
+// within a tick on.
 void choosePlain(const JointTable& table, const Table<Motion>& motions, JointSystem& system)
 {
     constexpr std::uint8_t kMostAt = 32;
@@ -105,7 +112,8 @@ void choosePlain(const JointTable& table, const Table<Motion>& motions, JointSys
     at.assign(motions.size(), 0);
     const auto mayBePlain = [&](const JointTie& tie) {
         return std::holds_alternative<RevoluteJoint>(table.rows[tie.joint].def.kind) &&
-               tie.rowA != tie.rowB && !system.stiffGroups[tie.group] && system.members[tie.group] > 1;
+               tie.rowA != tie.rowB && !system.stiffGroups[tie.group] && !system.pulledGroups[tie.group] &&
+               system.members[tie.group] > 1;
     };
     for (const JointTie& tie : system.ties)
         if (mayBePlain(tie))
@@ -116,6 +124,7 @@ void choosePlain(const JointTable& table, const Table<Motion>& motions, JointSys
     for (const JointTie& tie : system.ties) {
         if (mayBePlain(tie) && at[tie.rowA] <= kMostAt && at[tie.rowB] <= kMostAt) {
             system.hinges.push_back(tie);
+            system.lanedGroups[tie.group] = 1;
             continue;
         }
         system.joints.emplace_back();
@@ -132,11 +141,17 @@ void chooseStiff(JointTable& table, const Table<Motion>& motions, JointSystem& s
     system.stiffGroups.assign(groups, 0);
     system.unevenGroups.assign(groups, 0);
     system.piledGroups.assign(groups, 0);
+    system.softenedGroups.assign(groups, 0);
+    system.ownGroups.assign(groups, 0);
+    system.pulledGroups.assign(groups, 0);
+    system.lanedGroups.assign(groups, 0);
     for (const std::uint32_t group : system.groupOf)
         if (group != JointSystem::kNone) ++bodies[group];
     for (const JointTie& tie : system.ties) {
         JointRow& joint = table.rows[tie.joint];
         members[tie.group] += isOfSeveral(joint) ? 2 : 1;
+        if (std::holds_alternative<OwnJoint>(joint.def.kind)) system.ownGroups[tie.group] = 1;
+        if (std::holds_alternative<TargetJoint>(joint.def.kind)) system.pulledGroups[tie.group] = 1;
         if (isUneven(tie, motions)) {
             joint.stiffSteps = kHold;
             system.unevenGroups[tie.group] = 1;
@@ -172,7 +187,7 @@ void orderStiff(const Table<Motion>& motions, JointSystem& system)
     for (std::size_t d = 0; d < system.directCount; ++d) {
         DirectGroup& direct = system.direct[d];
         direct.build(system.joints, motions);
-        if (direct.matrix.fill() > kFill * direct.rows.size()) {
+        if (fillsUp(direct)) {
             system.stiffGroups[system.joints[direct.joints.front()].group] = 0;
             continue;
         }
@@ -268,10 +283,50 @@ void soften(JointSystem& system, std::size_t direct)
     for (const std::uint32_t j : system.direct[direct].joints) {
         system.joints[j].rigidly = false;
         system.stiffGroups[system.joints[j].group] = 0;
+        system.softenedGroups[system.joints[j].group] = 1;
     }
     --system.directCount;
     if (direct != system.directCount) std::swap(system.direct[direct], system.direct[system.directCount]);
     ++system.fallbacks;
+}
+
+void findTorn(JointSystem& system, const StepContext& context, std::vector<std::uint8_t>& groups)
+{
+    constexpr real kTorn = real(1e-2);  // of the arms
+    for (const JointRows& joint : system.joints) {
+        if (groups[joint.group] != 0 || !mayBeStiffened(system, joint.group)) continue;
+        if (joint.anyRow([&](std::uint32_t row) { return system.hit[row] != 0; })) continue;
+        const real arms = length(joint.armA) + length(joint.armB), part = joint.whole ? real(1) : real(2);
+        for (int i = 0; i < joint.count; ++i) {
+            const ConstraintRow& row = joint.rows[i];
+            if (row.angular || (row.kind != RowKind::Rigid && !row.bears)) continue;
+            const real give = predictedGive(row, part * joint.visits[i].impulse, context.h);
+            if (!(give <= kTorn * arms)) groups[joint.group] = 1;
+        }
+    }
+}
+
+bool mayBeStiffened(const JointSystem& system, std::uint32_t group)
+{
+    return !system.stiffGroups[group] && !system.piledGroups[group] && !system.softenedGroups[group] &&
+           !system.ownGroups[group] && !system.lanedGroups[group] && system.members[group] >= 2 &&
+           system.bodies[group] <= kMany;
+}
+
+bool stiffen(JointSystem& system, const Table<Motion>& motions, std::uint32_t group)
+{
+    if (system.direct.size() == system.directCount) system.direct.emplace_back();
+    DirectGroup& direct = system.direct[system.directCount];
+    direct.joints.clear();
+    for (std::uint32_t j = 0; j < system.joints.size(); ++j)
+        if (system.joints[j].group == group) direct.joints.push_back(j);
+    direct.build(system.joints, motions);
+    if (fillsUp(direct)) return false;
+    direct.begins = true;
+    ++system.directCount;
+    system.stiffGroups[group] = 1;
+    for (const std::uint32_t j : direct.joints) system.joints[j].rigidly = true;
+    return true;
 }
 
 void gatherJoints(JointTable& table, const BodyTable& bodies, const MotionTable& motions, JointSystem& system)

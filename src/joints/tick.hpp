@@ -28,10 +28,15 @@ struct JointSystem {
     std::vector<std::uint8_t> stiffGroups;   // by group: solved at once
     std::vector<std::uint8_t> unevenGroups;  // by group: of masses that soft rows cannot be trusted with
     std::vector<std::uint8_t> piledGroups;   // by group: solved at once before the drift, with contacts
+    std::vector<std::uint8_t> softenedGroups;  // by group: not to be solved at once any more in this step
+    std::vector<std::uint8_t> pulledGroups;    // by group: has a target
+    std::vector<std::uint8_t> lanedGroups;     // by group: has hinges that are left to lanes
+    std::vector<std::uint8_t> ownGroups;       // by group: has joints of one's own
     std::vector<DirectGroup> direct;         // the first `directCount` of them are those
     std::size_t directCount = 0;
     std::vector<std::uint8_t> lostGroups;    // by group: did not find where it goes in this tick
-    std::vector<std::uint8_t> outgrownGroups;  // by group, scratch
+    std::vector<std::uint8_t> thrownGroups;    // by group: by the passes of this tick
+    std::vector<std::uint8_t> outgrownGroups, tornGroups;  // by group, scratch
     std::vector<std::uint8_t> wholeGroups;   // by group: solved once a tick
     std::uint32_t fallbacks = 0;             // visits of the step in which a group was not solved at once
     ProjectionScratch projection;
@@ -78,6 +83,16 @@ void bringInJoints(JointTable& table, const BodyTable& bodies, MotionTable& moti
 
 /// The group at place `direct` is not solved at once for the rest of the step, but joint by joint, softly.
 void soften(JointSystem& system, std::size_t direct);
+
+/// After the passes: marks groups that soft rows hold, but not under what they bear in this tick. Not so for
+/// what bodies bear that were hit.
+void findTorn(JointSystem& system, const StepContext& context, std::vector<std::uint8_t>& groups);
+
+/// Can a group be solved at once, and projected, that is not?
+bool mayBeStiffened(const JointSystem& system, std::uint32_t group);
+
+/// It is, for the rest of the step. False if its loops would fill its factors.
+bool stiffen(JointSystem& system, const Table<Motion>& motions, std::uint32_t group);
 
 /// Takes hinges away from the lanes, at the start of a step or of a tick: those of which a body `isOf` says
 /// so, are visited one by one, once they have been measured.

@@ -162,15 +162,22 @@ bool project(const JointWorld& world, JointSystem& system, DirectGroup& group, c
 void findLost(const JointWorld& world, const Table<LaneRow>& velocities, JointSystem& system)
 {
     const real trusted = kTrust * world.context.lengthUnit;
-    std::vector<std::uint8_t>&lost = system.lostGroups, &outgrown = system.outgrownGroups;
+    std::vector<std::uint8_t>&lost = system.lostGroups, &torn = system.tornGroups,
+    &outgrown = system.outgrownGroups;
     lost.assign(system.wholeGroups.size(), 0);
-    outgrown.assign(system.wholeGroups.size(), 0);
     for (JointRows& joint : system.joints) {
         const real change = aim(world, velocities, joint);
         if (!(change <= trusted)) lost[joint.group] = 1;
     }
     if (!world.hinges.empty())
         world.hinges.findLost(world.motions.rows, world.rows, lost, trusted, world.context);
+    for (std::size_t group = 0; group < lost.size(); ++group) lost[group] |= system.thrownGroups[group];
+    torn = lost;
+    findTorn(system, world.context, torn);
+    for (std::uint32_t group = 0; group < torn.size(); ++group)
+        if (torn[group] != 0 && mayBeStiffened(system, group) && stiffen(system, world.motions.rows, group))
+            lost[group] = 1;
+    outgrown.assign(lost.size(), 0);
     findOutgrown(system, world.motions.rows, world.context, outgrown);
     for (std::size_t d = 0; d < system.directCount; ++d) {
         const std::uint32_t group = system.groupOfDirect(d);
@@ -197,9 +204,11 @@ void settleLost(const JointWorld& world, JointSystem& system, const Table<LaneRo
         flattenRows(joint, world.context);
         if (!system.stiffGroups[joint.group]) visit(joint, world.motions.rows, velocities);
     }
-    for (std::size_t d = 0; d < system.directCount; ++d)
-        if (lost[system.groupOfDirect(d)] != 0)
-            visitGroup(system.direct[d], system, world.motions.rows, velocities);
+    for (std::size_t d = system.directCount; d-- > 0;) {
+        const std::uint32_t group = system.groupOfDirect(d);
+        if (lost[group] == 0) continue;
+        visitGroup(system.direct[d], system, world.motions.rows, velocities);
+    }
 }
 
 namespace {
@@ -235,7 +244,10 @@ real driveOf(const JointSystem& system, const DirectGroup& group)
         const JointRows& joint = system.joints[j];
         for (int i = 0; i < joint.count; ++i) {
             const ConstraintRow& row = joint.rows[i];
-            sum += absolute(row.speed) * (row.angular ? joint.reach : real(1));
+            const RowVisit& visit = joint.visits[i];
+            const real pushed =
+                row.kind == RowKind::Spring ? row.mass * minimum(absolute(visit.push), visit.high) : real(0);
+            sum += (absolute(row.speed) + pushed) * (row.angular ? joint.reach : real(1));
         }
     }
     return sum;
@@ -248,9 +260,12 @@ bool mayThrow(const JointSystem& system)
                        [&](const DirectGroup& group) { return mayBeSoftened(system, group); });
 }
 
-bool softenThrown(JointSystem& system, const Table<Motion>& motions, const Islands& islands,
-                  const Table<LaneRow>& before, const Table<LaneRow>& after, const StepContext& context)
+bool softenThrown(const JointWorld& world, JointSystem& system, const Table<LaneRow>& before,
+                  Table<LaneRow>& after)
 {
+    const Table<Motion>& motions = world.motions.rows;
+    const Islands& islands = world.islands;
+    const StepContext& context = world.context;
     constexpr real kThrown = 4;  // times the fastest so far: more than a whip gains in a tick
     std::vector<real>& fastest = system.fastest;
     fastest.assign(islands.count(), 0);
@@ -262,8 +277,9 @@ bool softenThrown(JointSystem& system, const Table<Motion>& motions, const Islan
     }
     bool thrown = false;
     for (std::size_t d = system.directCount; d-- > 0;) {
-        const DirectGroup& group = system.direct[d];
-        if (!mayBeSoftened(system, group)) continue;
+        DirectGroup& group = system.direct[d];
+        const std::uint32_t of = system.groupOfDirect(d);
+        if (!mayBeSoftened(system, group) || system.thrownGroups[of] != 0) continue;
         const std::uint32_t island = islands.islandOf[group.rows.front()];
         const real known = (island == Islands::kNone ? real(0) : fastest[island]) + driven;
         const real bound = kThrown * (known + driveOf(system, group)) + context.lengthUnit;
@@ -271,6 +287,12 @@ bool softenThrown(JointSystem& system, const Table<Motion>& motions, const Islan
             return speedOf(motions[row], after[row]) <= bound;
         });
         if (within) continue;
+        if (!system.wholeGroups[of] && project(world, system, group, before, after)) {
+            system.thrownGroups[of] = 1;  // for when all passes are over
+            for (std::size_t k = 0; k < group.joints.size(); ++k)
+                system.joints[group.joints[k]] = system.projection.begun[k];
+            continue;
+        }
         soften(system, d);
         thrown = true;
     }

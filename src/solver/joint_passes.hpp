@@ -47,11 +47,11 @@ real drivenSpeed(const Table<Motion>& motions);
 bool mayThrow(const JointSystem& system);
 
 /// Where a group solved at once is pulled straight, next to nothing holds its rows apart, and it may be
-/// thrown farther than any speed at hand can tell: those groups are solved softly from here on. `before` and
-/// `after` are the velocities of all rows around the passes of a tick; returns whether there was such a
-/// group.
-bool softenThrown(JointSystem& system, const Table<Motion>& motions, const Islands& islands,
-                  const Table<LaneRow>& before, const Table<LaneRow>& after, const StepContext& context);
+/// thrown farther than any speed at hand can tell. If it can be projected it will be, by settleLost; else it
+/// is solved softly from here on. `before` and `after` are the velocities of all rows around the passes of a
+/// tick; returns whether these are to be done again.
+bool softenThrown(const JointWorld& world, JointSystem& system, const Table<LaneRow>& before,
+                  Table<LaneRow>& after);
 
 /// After the second kick: what is tied together does not go on moving apart. Adds what that changes to
 /// `changes` and to `steady`.

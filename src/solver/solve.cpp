@@ -111,6 +111,7 @@ void passOver(SolverStage& stage, const JointWorld& world)
     Table<LaneRow>& velocities = scratch.rows.velocities;
     const bool isWatched = mayThrow(stage.system);
     if (!stage.system.empty()) scratch.before = velocities;
+    stage.system.thrownGroups.assign(stage.system.wholeGroups.size(), 0);
     if (isWatched) scratch.passes.keep(stage.contacts);
     for (;;) {
         if (!stage.system.empty()) {
@@ -120,9 +121,7 @@ void passOver(SolverStage& stage, const JointWorld& world)
         }
         scratch.passes.solve(stage.contacts, stage.motions, scratch.rows, world.context, &world,
                              &stage.system);
-        if (!isWatched || !softenThrown(stage.system, stage.motions.rows, stage.islands, scratch.before,
-                                        velocities, world.context))
-            return;
+        if (!isWatched || !softenThrown(world, stage.system, scratch.before, velocities)) return;
         scratch.passes.restore(stage.contacts);
         velocities = scratch.before;
         for (std::size_t i = 0; i < stage.motions.rows.size(); ++i)
@@ -232,6 +231,7 @@ SolverCounts solve(SolverStage& stage, const StepContext& context)
         applyImpacts(impacts, context, tick);
         if (!stage.roused.empty()) varies = stage.field.varies(stage.motions, stage.world.bodies);
         hasJoints = !stage.system.empty();  // those of sleepers that were hit, too
+        if (hasJoints) markHits(stage);
         if (stage.roused.size() > roused) seatJoints(stage);
         roused = stage.roused.size();
         counts.impactTime += watch.lap();
@@ -269,7 +269,6 @@ SolverCounts solve(SolverStage& stage, const StepContext& context)
         if (hasJoints) {
             span.next("joints");
             settleJoints(stage.system, hinges, rows, lanes.changes, context);
-            markHits(stage);
             tallyJoints(stage.joints, stage.system, rows);
             hinges.tally(rows);
             keepJoints(stage.joints, stage.system, context);
