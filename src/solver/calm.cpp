@@ -18,14 +18,13 @@ double inertiaOf(const Motion& m)
 }
 
 // Mass-weighted rigid motion of each island without a ground.
-void measureFreeIslands(const Table<Motion>& rows, const Table<TickChange>& changes, const Islands& islands,
-                        CalmRows& calmRows)
+void measureFreeIslands(const Table<Motion>& rows, const Table<TickChange>& changes, CalmRows& calmRows)
 {
     std::vector<FreeIsland>& free = calmRows.islands;
-    free.assign(islands.count(), {});
+    free.assign(free.size(), {});
     const auto each = [&](auto&& visit) {
-        for (const std::uint32_t i : calmRows.floating)
-            if (rows[i].isFree()) visit(free[islands.islandOf[i]], rows[i], changes[i]);
+        for (const FloatingRow& is : calmRows.floating)
+            if (rows[is.row].isFree()) visit(free[is.island], rows[is.row], changes[is.row]);
     };
     each([](FreeIsland& island, const Motion& m, const TickChange& change) {
         if (!island.started) island.first = m.center;
@@ -65,29 +64,34 @@ void findCalmRows(const Islands& islands, CalmRows& found)
 {
     found.grounded.clear();
     found.floating.clear();
+    found.numberOf.assign(islands.count(), Islands::kNone);
+    std::uint32_t floating = 0;
     for (std::uint32_t i = 0; i < islands.islandOf.size(); ++i) {
         const std::uint32_t island = islands.islandOf[i];
         if (island == Islands::kNone || islands.sizeOf[island] < 2) continue;  // a lone body is calm
         const std::uint32_t ground = islands.groundOf[island];
         if (ground == Islands::kSeveral) continue;  // no one motion to come to rest against
-        if (ground == Islands::kNone)
-            found.floating.push_back(i);
-        else
+        if (ground != Islands::kNone) {
             found.grounded.push_back({i, ground});
+            continue;
+        }
+        if (found.numberOf[island] == Islands::kNone) found.numberOf[island] = floating++;
+        found.floating.push_back({i, found.numberOf[island]});
     }
+    found.islands.resize(floating);
 }
 
-void calmFloating(Table<Motion>& rows, const Table<TickChange>& changes, const Islands& islands,
-                  CalmRows& calmRows, const StepContext& context)
+void calmFloating(Table<Motion>& rows, const Table<TickChange>& changes, CalmRows& calmRows,
+                  const StepContext& context)
 {
     if (calmRows.floating.empty()) return;
     std::vector<FreeIsland>& free = calmRows.islands;
-    measureFreeIslands(rows, changes, islands, calmRows);
+    measureFreeIslands(rows, changes, calmRows);
 
-    for (const std::uint32_t i : calmRows.floating) {
+    for (const auto [i, number] : calmRows.floating) {
         Motion& m = rows[i];
         if (!m.isLoaded() || !m.isFree()) continue;  // a locked one's momentum could not be given back
-        FreeIsland& island = free[islands.islandOf[i]];
+        FreeIsland& island = free[number];
         const CalmReference& reference = island.motion;
 
         // Motion against the island's, and whether its kinetic energy rises.
@@ -110,9 +114,9 @@ void calmFloating(Table<Motion>& rows, const Table<TickChange>& changes, const I
     }
 
     // What an island lost comes back as a rigid motion of the whole.
-    for (const std::uint32_t i : calmRows.floating) {
+    for (const auto [i, number] : calmRows.floating) {
         Motion& m = rows[i];
-        const FreeIsland& f = free[islands.islandOf[i]];
+        const FreeIsland& f = free[number];
         if (!m.isFree() || !(f.mass > 0) || !(f.inertia > 0)) continue;
         const Vec2 r = toVec2(m.center - f.motion.center);
         const real turn = static_cast<real>(f.lostSpin / f.inertia);

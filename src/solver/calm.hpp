@@ -35,18 +35,24 @@ struct CalmPair {
     std::uint32_t row, ground;
 };
 
+/// A body, by its row, and its island among those that stand on nothing.
+struct FloatingRow {
+    std::uint32_t row, island;
+};
+
 /// The bodies that calming may concern, of a step: those of islands of more than one body, with one motion to
 /// come to rest against.
 struct CalmRows {
     std::vector<CalmPair> grounded;  // those whose island stands on one ground
-    std::vector<std::uint32_t> floating;  // those whose island stands on nothing
-    std::vector<FreeIsland> islands;  // by island, scratch
+    std::vector<FloatingRow> floating;  // those whose island stands on nothing
+    std::vector<FreeIsland> islands;  // that stand on nothing
+    std::vector<std::uint32_t> numberOf;  // by island: which of those it is
 };
 void findCalmRows(const Islands& islands, CalmRows& found);
 
 /// Slows loaded bodies that are already slow and not speeding up, where their island stands on nothing:
 /// against the island's own motion, whose momentum is kept. docs/theory/calm.md.
-void calmFloating(Table<Motion>& rows, const Table<TickChange>& changes, const Islands& islands,
-                  CalmRows& calmRows, const StepContext& context);
+void calmFloating(Table<Motion>& rows, const Table<TickChange>& changes, CalmRows& calmRows,
+                  const StepContext& context);
 
 }  // namespace tamias2d::inline TAMIAS_PRECISION

@@ -2,6 +2,7 @@
 #include "solver/finalize.hpp"
 
 #include "contacts/rows.hpp"
+#include "contacts/step_manifolds.hpp"
 #include "contacts/update.hpp"
 
 #include <tamias2d/math/scalar.hpp>
@@ -66,12 +67,29 @@ void finalizeContact(Contact& c, const Motion& a, const Motion& b, const ShapeTa
     }
 }
 
+// At the present gaps.
+bool isTouching(const Contact& contact, const Tuning& tuning)
+{
+    for (int i = 0; i < contact.count; ++i)
+        if (contact.points[i].gap <= (tuning.touchingFactor - 1) * contact.restGap) return true;
+    return false;
+}
+
+TouchChange noteTouch(Contact& c, const Tuning& tuning, FinalCounts& counts)
+{
+    const bool touches = isTouching(c, tuning), did = c.touching;
+    c.touching = touches;
+    counts.touching += touches ? 1 : 0;
+    return touches == did ? TouchChange::Same : touches ? TouchChange::Begins : TouchChange::Ends;
+}
+
 FinalCounts sumOf(const std::vector<FinalCounts>& ofChunks)
 {
     FinalCounts sum;
     for (const FinalCounts& counts : ofChunks) {
         sum.nonFinite += counts.nonFinite;
         sum.stopped += counts.stopped;
+        sum.touching += counts.touching;
         sum.deepestOverlap = maximum(sum.deepestOverlap, counts.deepestOverlap);
     }
     return sum;
@@ -90,10 +108,10 @@ void remember(BodyTable& bodies, std::uint32_t slot)
 }
 
 FinalCounts finalize(MotionTable& motions, ContactTable& contacts, const ShapeTable& shapes,
-                     BodyTable& bodies, const StepContext& context, std::vector<FinalCounts>& ofChunks,
-                     Parallel& parallel)
+                     BodyTable& bodies, const StepContext& context, FinalScratch& scratch, Parallel& parallel)
 {
     constexpr std::size_t kBodies = 256, kContacts = 128;
+    std::vector<FinalCounts>& ofChunks = scratch.ofChunks;
     ofChunks.assign(Parallel::chunksOf(motions.rows.size(), kBodies), {});
     parallel.forEach(motions.rows.size(), kBodies, [&](const Chunk& chunk) {
         for (std::size_t row = chunk.begin; row < chunk.end; ++row) {
@@ -103,23 +121,23 @@ FinalCounts finalize(MotionTable& motions, ContactTable& contacts, const ShapeTa
     });
     FinalCounts counts = sumOf(ofChunks);
 
+    // All that is said of a contact at once: their table is the largest there is.
     ofChunks.assign(Parallel::chunksOf(contacts.rows.size(), kContacts), {});
+    scratch.touchChanges.resize(contacts.rows.size());
+    contacts.facts.resize(contacts.rows.size());
     parallel.forEach(contacts.rows.size(), kContacts, [&](const Chunk& chunk) {
         for (std::size_t i = chunk.begin; i < chunk.end; ++i) {
             Contact& c = contacts.rows[i];
-            finalizeContact(c, motions.rows[c.rowA], motions.rows[c.rowB], shapes, context,
-                            ofChunks[chunk.index]);
+            FinalCounts& ofChunk = ofChunks[chunk.index];
+            finalizeContact(c, motions.rows[c.rowA], motions.rows[c.rowB], shapes, context, ofChunk);
+            contacts.facts[i] = factsOf(c, context.tuning);
+            scratch.touchChanges[i] = noteTouch(c, context.tuning, ofChunk);
         }
     });
-    counts.deepestOverlap = sumOf(ofChunks).deepestOverlap;
+    const FinalCounts ofContacts = sumOf(ofChunks);
+    counts.deepestOverlap = ofContacts.deepestOverlap;
+    counts.touching = ofContacts.touching;
     return counts;
-}
-
-bool isTouching(const Contact& contact, const Tuning& tuning)
-{
-    for (int i = 0; i < contact.count; ++i)
-        if (contact.points[i].gap <= (tuning.touchingFactor - 1) * contact.restGap) return true;
-    return false;
 }
 
 }  // namespace tamias2d::inline TAMIAS_PRECISION

@@ -155,7 +155,7 @@ void calm(SolverStage& stage, const StepContext& context)
         scratch.bodies().calm(rows.data(), grounded.data() + chunk.begin, chunk.end - chunk.begin,
                               scratch.rows, context);
     });
-    calmFloating(rows, scratch.rows.changes, stage.islands, scratch.calmRows, context);
+    calmFloating(rows, scratch.rows.changes, scratch.calmRows, context);
 }
 
 }  // namespace

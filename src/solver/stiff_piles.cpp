@@ -176,6 +176,7 @@ void StiffPiles::findCandidates(const ContactTable& contacts, const MotionTable&
     }
     for (std::uint32_t i = 0; i < near_.count(); ++i)
         if (near_.sizeOf[i] > kMostBodies || touching_[i] == 0 || refused_[i] != 0) candidates_[i] = 0;
+    mayCrush_ = std::any_of(candidates_.begin(), candidates_.end(), [](std::uint8_t is) { return is != 0; });
 }
 
 void StiffPiles::begin(ContactTable& contacts, const MotionTable& motions, JointSystem& joints)
@@ -183,6 +184,7 @@ void StiffPiles::begin(ContactTable& contacts, const MotionTable& motions, Joint
     count_ = 0;
     fallbacks_ = 0;
     candidates_.clear();
+    mayCrush_ = false;
     pileOf_.clear();
     std::fill(joints.piledGroups.begin(), joints.piledGroups.end(), std::uint8_t{0});
     if (!mayBeUneven(motions)) return;

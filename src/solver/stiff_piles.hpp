@@ -56,7 +56,7 @@ public:
             return Lightness::None;
         return maximum(isLight_[contact.rowA], isLight_[contact.rowB]);
     }
-    bool mayCrush() const { return !candidates_.empty(); }
+    bool mayCrush() const { return mayCrush_; }
     /// Makes those of these contacts, which crush, piles to solve at once; returns how many.
     std::size_t add(const std::vector<std::uint32_t>& closing, ContactTable& contacts, JointSystem& joints);
     const StiffPile& operator[](std::size_t p) const { return piles_[p]; }
@@ -86,6 +86,7 @@ private:
     std::vector<Link> links_;
     std::vector<bool> pushable_;
     std::vector<std::uint8_t> candidates_;  // by those
+    bool mayCrush_ = false;  // is any?
     std::vector<std::uint8_t> touching_, refused_;  // likewise: has it contacts, is it not to be tried
     std::vector<std::uint32_t> pileOfNear_;  // likewise; kNone
     std::vector<Lightness> isLight_;  // by row: is it the light one of two that are uneven?

@@ -145,8 +145,7 @@ struct World::Impl {
     SweepScratch sweepScratch;
     ExpectedPaths paths;  // of bodies within the step
     ManifoldScratch manifoldScratch;
-    std::vector<FinalCounts> finalCounts;  // by chunk
-    std::vector<std::uint8_t> touchChanges;  // by contact
+    FinalScratch finalScratch;
     MatchScratch matchScratch;
     GraphScratch graph;
     std::vector<ImpactRecord> impacts;

@@ -109,29 +109,6 @@ void markCrowds(ContactTable& contacts, const Tuning& tuning, GraphScratch& grap
     });
 }
 
-// Which contacts touch now, and which of them did not before, or do no more; and the facts for the next step.
-enum TouchChange : std::uint8_t { Same, Begins, Ends };
-std::uint32_t findTouches(ContactTable& contacts, const Tuning& tuning, std::vector<std::uint8_t>& changes,
-                          std::vector<std::uint32_t>& counts, Parallel& parallel)
-{
-    changes.resize(contacts.rows.size());
-    contacts.facts.resize(contacts.rows.size());
-    counts.assign(Parallel::chunksOf(contacts.rows.size(), kContactGrain), 0);
-    parallel.forEach(contacts.rows.size(), kContactGrain, [&](const Chunk& chunk) {
-        for (std::size_t k = chunk.begin; k < chunk.end; ++k) {
-            Contact& c = contacts.rows[k];
-            contacts.facts[k] = factsOf(c, tuning);
-            const bool touches = isTouching(c, tuning);
-            changes[k] = touches == c.touching ? Same : touches ? Begins : Ends;
-            c.touching = touches;
-            counts[chunk.index] += touches ? 1 : 0;
-        }
-    });
-    std::uint32_t sum = 0;
-    for (const std::uint32_t count : counts) sum += count;
-    return sum;
-}
-
 bool exceeds(const JointReading& reading, const JointBreaking& limit)
 {
     const auto strength = static_cast<real>(length(toDVec2(reading.force)));
@@ -278,18 +255,19 @@ StepReport World::Impl::step(double dt, int substeps)
 
     // Hand back, and say what happened.
     span.next("finalize");
-    const FinalCounts final = finalize(motions, contacts, shapes, bodies, context, finalCounts, parallel);
+    if (r.repaired > 0 || !roused.empty()) contactsAreSorted = pairsAreCurrent = false;
+    sortContacts();
+    const FinalCounts final = finalize(motions, contacts, shapes, bodies, context, finalScratch, parallel);
     r.nonFinite = final.nonFinite;
     if (r.nonFinite > 0) setAside();
     r.clamps.position = final.stopped;
     r.deepestOverlap = final.deepestOverlap;
+    r.touching = final.touching;
     span.next("events");
-    if (r.repaired > 0 || !roused.empty()) contactsAreSorted = pairsAreCurrent = false;
-    sortContacts();
-    r.touching = findTouches(contacts, context.tuning, touchChanges, chunkStarts, parallel);
     for (std::size_t i = 0; i < contacts.rows.size(); ++i) {
-        if (touchChanges[i] == Begins) begins.push_back(touchEvent(contacts.rows[i]));
-        if (touchChanges[i] == Ends) ends.push_back(touchEvent(contacts.rows[i]));
+        const TouchChange change = finalScratch.touchChanges[i];
+        if (change == TouchChange::Begins) begins.push_back(touchEvent(contacts.rows[i]));
+        if (change == TouchChange::Ends) ends.push_back(touchEvent(contacts.rows[i]));
     }
     std::sort(begins.begin(), begins.end(), byShapes);
     std::sort(ends.begin(), ends.end(), byShapes);
