@@ -98,7 +98,8 @@ struct ImpactScratch {
     Table<Flight> flights;  // by row, of those that
     std::vector<std::uint8_t> flies;  // by row: has its flight through this tick been asked for?
     std::vector<std::uint32_t> strays;  // rows that leave their boxes in this tick
-    bool kicked = false;  // has an impact acted in this tick?
+    int tick = 0;  // the one that has started last
+    bool kicked = false;  // has an impact acted in it?
     struct Start {
         real fastest;
         std::size_t strays;

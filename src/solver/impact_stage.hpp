@@ -13,6 +13,7 @@
 #include "solver/contact_passes.hpp"
 #include "solver/hinge_lanes.hpp"
 #include "solver/impact_scratch.hpp"
+#include "solver/visited_bodies.hpp"
 
 #include <tamias2d/model/clamps.hpp>
 #include <tamias2d/model/events.hpp>
@@ -51,6 +52,7 @@ struct ImpactStage {
     std::uint32_t& groups;                 // impacts so far in the step
     std::uint32_t& lawFaults;
     std::vector<std::uint32_t>& roused;    // sleeping groups that impacts of the step have woken
+    VisitedBodies& visited;
     Parallel& parallel;
 };
 

@@ -275,13 +275,16 @@ void startTick(ImpactStage& stage, const StepContext& context, int tick)
     ImpactScratch& scratch = stage.scratch;
     const real t = static_cast<real>(tick) * context.h;
     const TickTime time{tick, t, static_cast<real>(context.dt) - t};
+    scratch.tick = tick;
     scratch.strays.resize(motions.size());
-    scratch.starts.resize(Parallel::chunksOf(motions.size(), kBodyGrain));
-    stage.parallel.forEach(motions.size(), kBodyGrain, [&](const Chunk& chunk) {
-        StrayList strays{scratch.strays.data() + chunk.begin, 0};
+    const std::vector<BodyChunk>& chunks = stage.visited.chunks(motions.size());
+    scratch.starts.resize(chunks.size());
+    stage.parallel.forEach(chunks.size(), 1, [&](const Chunk& chunk) {
+        const auto [begin, end] = chunks[chunk.begin];
+        StrayList strays{scratch.strays.data() + begin, 0};
         const real fastest =
-            stage.kernels.startTick(bodiesOf(chunk, motions, stage.rows), context, time, strays);
-        scratch.starts[chunk.index] = {fastest, strays.count};
+            stage.kernels.startTick({motions.data(), stage.rows, begin, end}, context, time, strays);
+        scratch.starts[chunk.begin] = {fastest, strays.count};
     });
 
     scratch.fastest = 0;
@@ -289,7 +292,8 @@ void startTick(ImpactStage& stage, const StepContext& context, int tick)
     for (std::size_t k = 0; k < scratch.starts.size(); ++k) {
         const auto [fastest, count] = scratch.starts[k];
         scratch.fastest = maximum(fastest, scratch.fastest);
-        for (std::size_t i = 0; i < count; ++i) scratch.strays[strays++] = scratch.strays[k * kBodyGrain + i];
+        for (std::size_t i = 0; i < count; ++i)
+            scratch.strays[strays++] = scratch.strays[chunks[k].begin + i];
     }
     scratch.strays.resize(strays);
 }

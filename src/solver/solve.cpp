@@ -137,8 +137,7 @@ std::uint32_t driftAll(SolverStage& stage, const StepContext& context, bool push
     Table<Motion>& rows = stage.motions.rows;
     const bool kicked = scratch.impacts.kicked;
     std::atomic<std::uint32_t> clamped = 0;
-    stage.parallel.forEach(rows.size(), kBodyGrain, [&](const Chunk& chunk) {
-        const BodyRows run = bodiesOf(chunk, rows, scratch.rows);
+    scratch.visited.forEach(stage.parallel, rows, scratch.rows, [&](const BodyRows& run) {
         scratch.bodies().drift(run, context, kicked, pushed);
         if (together) clamped += scratch.bodies().kickAfterDrift(run, context, kicked);
     });
@@ -178,11 +177,11 @@ SolverCounts solve(SolverStage& stage, const StepContext& context)
     TickRows& lanes = scratch.rows;
     std::uint32_t groups = 0;
     scratch.suit(rows.size());
-    ImpactStage impacts{stage.world,     stage.field,    stage.resting,    stage.asleep,     stage.islands,
-                        stage.motions,   stage.contacts, scratch.passes,   scratch.bodies(), lanes,
-                        stage.joints,    stage.system,   scratch.hinges(), stage.boxes,      stage.impacts,
-                        scratch.impacts, counts.clamps,  counts.repaired,  groups,           counts.lawFaults,
-                        stage.roused,    stage.parallel};
+    ImpactStage impacts{
+        stage.world,      stage.field,      stage.resting,    stage.asleep,    stage.islands, stage.motions,
+        stage.contacts,   scratch.passes,   scratch.bodies(), lanes,           stage.joints,  stage.system,
+        scratch.hinges(), stage.boxes,      stage.impacts,    scratch.impacts, counts.clamps, counts.repaired,
+        groups,           counts.lawFaults, stage.roused,     scratch.visited, stage.parallel};
 
     lanes.origins.resize(rows.size());
     lanes.poses.resize(rows.size());
@@ -207,6 +206,7 @@ SolverCounts solve(SolverStage& stage, const StepContext& context)
     lanes.kicks.assign(rows.size(), {});
     lanes.changes.resize(rows.size());
     bool varies = stage.field.varies(stage.motions, stage.world.bodies);
+    scratch.visited.begin(rows, stage.contacts, context, varies || !stage.system.empty());
 
     Stopwatch watch;
     for (int tick = 0; tick < context.ticks; ++tick) {
@@ -230,6 +230,8 @@ SolverCounts solve(SolverStage& stage, const StepContext& context)
         span.next("impacts");
         applyImpacts(impacts, context, tick);
         if (!stage.roused.empty()) varies = stage.field.varies(stage.motions, stage.world.bodies);
+        if (varies)
+            counts.clamps.speed += scratch.visited.visitAll(scratch.bodies(), rows, lanes, context, tick);
         hasJoints = !stage.system.empty();  // those of sleepers that were hit, too
         if (hasJoints) markHits(stage);
         if (stage.roused.size() > roused) seatJoints(stage);
@@ -238,8 +240,8 @@ SolverCounts solve(SolverStage& stage, const StepContext& context)
 
         // First kick, contacts.
         span.next("passes");
-        stage.parallel.forEach(rows.size(), kBodyGrain, [&](const Chunk& chunk) {
-            scratch.bodies().kick(bodiesOf(chunk, rows, lanes), context, scratch.impacts.kicked);
+        scratch.visited.forEach(stage.parallel, rows, lanes, [&](const BodyRows& run) {
+            scratch.bodies().kick(run, context, scratch.impacts.kicked);
         });
         const JointWorld jointWorld{
             stage.joints, stage.world.bodies, stage.motions, stage.islands, context, hinges, lanes};
@@ -263,8 +265,9 @@ SolverCounts solve(SolverStage& stage, const StepContext& context)
         if (varies)
             counts.lawFaults += accelerateAfterDrift(stage, context, time + context.dt / context.ticks);
         if (!together) {
-            const BodyRows all{rows.data(), lanes, 0, static_cast<std::uint32_t>(rows.size())};
-            counts.clamps.speed += scratch.bodies().kickAfterDrift(all, context, scratch.impacts.kicked);
+            for (const auto [begin, end] : scratch.visited.chunks(rows.size()))
+                counts.clamps.speed += scratch.bodies().kickAfterDrift({rows.data(), lanes, begin, end},
+                                                                       context, scratch.impacts.kicked);
         }
         if (hasJoints) {
             span.next("joints");
@@ -278,6 +281,7 @@ SolverCounts solve(SolverStage& stage, const StepContext& context)
         calm(stage, context);
         counts.solveTime += watch.lap();
     }
+    counts.clamps.speed += scratch.visited.end(scratch.bodies(), rows, lanes, context, stage.parallel);
     scratch.passes.endPiles(stage.contacts, stage.motions, context);
     counts.piles = static_cast<std::uint32_t>(scratch.passes.piles().count());
     counts.pileFallbacks = scratch.passes.piles().fallbacks();

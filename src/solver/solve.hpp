@@ -23,6 +23,7 @@ struct SolverScratch {
     Table<LaneRow> before;               // by row: velocities before the passes
     ContactPasses passes;
     ImpactScratch impacts;
+    VisitedBodies visited;
 
     SolverScratch(LaneWidth lanes, Parallel& parallel)
         : passes(parallel), parallel_(parallel), asked_(askedLanes(lanes))

@@ -91,9 +91,8 @@ void resweepForTick(ImpactStage& stage, const StepContext& context)
     ImpactScratch& scratch = stage.scratch;
 
     if (scratch.swept.empty()) return;
-    stage.parallel.forEach(stage.motions.rows.size(), kBodyGrain, [&](const Chunk& chunk) {
-        stage.kernels.boundSpeeds(bodiesOf(chunk, stage.motions.rows, stage.rows), context);
-    });
+    stage.visited.forEach(stage.parallel, stage.motions.rows, stage.rows,
+                          [&](const BodyRows& bodies) { stage.kernels.boundSpeeds(bodies, context); });
 
     // Which of them may meet in this tick: the others are what the sweep would say without looking.
     enum Verdict : std::uint8_t { Far, Parts, Near };

@@ -230,5 +230,77 @@ TEST(FreeMotion, OneWorldDoesNotDisturbAnother)
     EXPECT_LE(relativeError(falling.position().y, -9.81 / 2), byPrecision(1e-12, 1e-5));
 }
 
+// Forty bodies far from each other, each on its own way. With companions each has another one beside it that
+// goes the same way, near enough for their swept boxes to meet.
+std::vector<Body> flock(World& world, bool companions)
+{
+    std::vector<Body> bodies;
+    const auto add = [&](int i, double aside) {
+        const DVec2 way{3.0 + 0.7 * i, 20 - 0.9 * i};
+        const DVec2 beside = (aside / length(way)) * DVec2{-way.y, way.x};
+        return addBox(world, Position{100.0 * i, 0} + beside, 0.6, 0.4,
+                      {.velocity = vec(way.x, way.y), .spin = 0.3 * i - 5, .angle = 0.1 * i});
+    };
+    for (int i = 0; i < 40; ++i) bodies.push_back(add(i, 0));
+    for (int i = 0; companions && i < 40; ++i) add(i, 0.75);
+    return bodies;
+}
+
+TEST(FreeFlight, HasTheSameBitsAloneAndBesideAnother)
+{
+    TRACES("R5", "R6", "IM1");
+    World lonely, shared;
+    const std::vector<Body> alone = flock(lonely, false), beside = flock(shared, true);
+    const RunTotals totals = runSeconds(shared, 2);
+    runSeconds(lonely, 2);
+    EXPECT_EQ(totals.impacts, 0u);
+    EXPECT_GE(shared.lastReport().pairs, 20u) << "they are pairs";
+    EXPECT_EQ(lonely.lastReport().pairs, 0u);
+    for (std::size_t i = 0; i < alone.size(); ++i) {
+        EXPECT_EQ(alone[i].position(), beside[i].position()) << i;
+        EXPECT_EQ(alone[i].angle(), beside[i].angle()) << i;
+        EXPECT_EQ(alone[i].linearVelocity(), beside[i].linearVelocity()) << i;
+        EXPECT_EQ(alone[i].angularVelocity(), beside[i].angularVelocity()) << i;
+    }
+}
+
+// A cue throws a ball at another that nothing was expected to come near in the step, in the midst of it.
+// `noticed`: a companion flies beside that one, so that it has a pair from the start.
+std::vector<Body> carom(World& world, bool noticed)
+{
+    Options options{.friction = 0, .restitution = 1};
+    const auto ball = [&](Position at, DVec2 velocity) {
+        options.velocity = vec(velocity.x, velocity.y);
+        return addDisc(world, at, 0.5, options);
+    };
+    std::vector<Body> balls{ball({-5, 0}, {600, 0}), ball({0, 0.6}, {0, 0})};
+    const auto others = [&](int count) {
+        for (int i = 0; i < count; ++i)
+            ball({1000.0 + 10 * static_cast<double>(world.bodyCount()), 0}, {0, 0});
+    };
+    others(20);
+    balls.push_back(ball({1.8, 2.25}, {20, -15}));
+    others(30);
+    if (noticed) ball({2.8, 1.5}, {20, -15});
+    return balls;
+}
+
+TEST(FreeFlight, EndsAtTheRightPlaceForWhoIsThrownAtABodyInMidStep)
+{
+    TRACES("R5", "R7", "R8", "GD1");
+    World unaware(weightless()), aware(weightless());
+    const std::vector<Body> balls = carom(unaware, false), same = carom(aware, true);
+    unaware.step(1.0 / 60);
+    aware.step(1.0 / 60);
+    EXPECT_GT(length(velocityOf(balls[2]) - DVec2{20, -15}), 100) << "it was hit in the first step";
+    for (std::size_t i = 0; i < balls.size(); ++i) {
+        EXPECT_EQ(balls[i].position(), same[i].position()) << i;
+        EXPECT_EQ(balls[i].linearVelocity(), same[i].linearVelocity()) << i;
+    }
+    DVec2 momentum;
+    for (const Body& body : balls) momentum += velocityOf(body);
+    EXPECT_LE(relativeError(momentum, DVec2{620, -15}), byPrecision(1e-12, 1e-5));
+}
+
 }  // namespace
 }  // namespace tamias2d::test
