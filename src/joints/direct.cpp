@@ -25,7 +25,7 @@ constexpr double kSame = 1e-4;  // times what is negligible: a step of Newton's 
 constexpr double kLooseness[] = {1e4, 1e3, 1e2, 1e1, 1};  // times the gammas of contacts, one after the other
 constexpr int kMostTrials = 20;  // of the length of a step
 constexpr double kEven = 1e-6, kEvenEnough = 1e-1;  // of the descent at its start, there; with contacts
-constexpr double kRounding = static_cast<double>(std::numeric_limits<real>::epsilon());
+constexpr double kUlp = static_cast<double>(std::numeric_limits<real>::epsilon());
 constexpr double kTurned = 1e-9;  // of a speed: what may be left where a force turns under its bound
 constexpr double kLeft = 1e-5;  // of the speeds: where rows that bear next to nothing go from bound to bound
 constexpr double kRough = 1e-4;  // the same on the way to a harder rope
@@ -657,7 +657,7 @@ void DirectSolver::store(std::vector<BodyMotion<real>>& velocities, real& change
     double owedX = 0, owedY = 0;  // [kg*m/s]
     const auto rounded = [](double velocity, real inverse, double& owed) {
         const double given = owed * static_cast<double>(inverse);
-        const bool takes = absolute(given) <= 2 * kRounding * absolute(velocity);
+        const bool takes = absolute(given) <= 2 * kUlp * absolute(velocity);
         const double exact = takes ? velocity + given : velocity;
         const real nearest = static_cast<real>(exact);
         owed = (takes ? 0 : owed) + (exact - static_cast<double>(nearest)) / static_cast<double>(inverse);
