@@ -310,7 +310,9 @@ bool GroupProjection::run(std::vector<BodyMotion<real>>& velocities)
 
 bool mayBeProjected(const JointSystem& system, const DirectGroup& group)
 {
-    if (group.joints.empty() || system.piledGroups[system.joints[group.joints.front()].group]) return false;
+    if (group.joints.empty()) return false;
+    const std::uint32_t of = system.joints[group.joints.front()].group;
+    if (system.touchedGroups[of] || system.piledGroups[of]) return false;
     return std::none_of(group.joints.begin(), group.joints.end(),
                         [&](std::uint32_t j) { return system.joints[j].own; });
 }

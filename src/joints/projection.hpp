@@ -6,7 +6,8 @@
 
 namespace tamias2d::inline TAMIAS_PRECISION {
 
-/// Can the group be projected? Not with joints of one's own, nor where contacts are solved with it.
+/// Can the group be projected? Not with joints of one's own, nor where contacts touch it: they would have
+/// answered to loads that it does not have then.
 bool mayBeProjected(const JointSystem& system, const DirectGroup& group);
 
 /// Brings the bodies of a group, measured by their masses, to the nearest place at the end of the tick where

@@ -38,6 +38,7 @@ struct JointSystem {
     std::vector<std::uint8_t> thrownGroups;    // by group: by the passes of this tick
     std::vector<std::uint8_t> outgrownGroups, tornGroups;  // by group, scratch
     std::vector<std::uint8_t> wholeGroups;   // by group: solved once a tick
+    std::vector<std::uint8_t> touchedGroups;  // by group: by a contact, in this tick
     std::uint32_t fallbacks = 0;             // visits of the step in which a group was not solved at once
     ProjectionScratch projection;
     std::vector<BodyMotion<real>> velocities;   // scratch

@@ -82,6 +82,23 @@ void markHits(SolverStage& stage)
         stage.system.hit[i] = kicks[i].before != Vec2{} || kicks[i].after != Vec2{};
 }
 
+// Which groups of joints have a contact in this tick.
+void markTouched(SolverStage& stage)
+{
+    JointSystem& system = stage.system;
+    const ContactTable& contacts = stage.contacts;
+    system.touchedGroups.assign(system.wholeGroups.size(), 0);
+    for (std::size_t i = 0; i < contacts.rows.size(); ++i) {
+        const bool isKnown = i < contacts.facts.size();
+        const std::uint32_t rowA = isKnown ? contacts.facts[i].rowA : contacts.rows[i].rowA;
+        const std::uint32_t rowB = isKnown ? contacts.facts[i].rowB : contacts.rows[i].rowB;
+        const std::uint32_t a = system.groupOf[rowA], b = system.groupOf[rowB];
+        if ((a == JointSystem::kNone && b == JointSystem::kNone) || contacts.rows[i].count == 0) continue;
+        if (a != JointSystem::kNone) system.touchedGroups[a] = 1;
+        if (b != JointSystem::kNone) system.touchedGroups[b] = 1;
+    }
+}
+
 // The second kick of a force that varies: taken at the new place and at the velocity expected there,
 // so that forces that depend on velocity are second order too.
 std::uint32_t accelerateAfterDrift(SolverStage& stage, const StepContext& context, double time)
@@ -230,10 +247,11 @@ SolverCounts solve(SolverStage& stage, const StepContext& context)
         span.next("impacts");
         applyImpacts(impacts, context, tick);
         if (!stage.roused.empty()) varies = stage.field.varies(stage.motions, stage.world.bodies);
-        if (varies)
-            counts.clamps.speed += scratch.visited.visitAll(scratch.bodies(), rows, lanes, context, tick);
         hasJoints = !stage.system.empty();  // those of sleepers that were hit, too
         if (hasJoints) markHits(stage);
+        if (hasJoints) markTouched(stage);
+        if (varies || hasJoints)
+            counts.clamps.speed += scratch.visited.visitAll(scratch.bodies(), rows, lanes, context, tick);
         if (stage.roused.size() > roused) seatJoints(stage);
         roused = stage.roused.size();
         counts.impactTime += watch.lap();
