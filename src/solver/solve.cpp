@@ -74,6 +74,7 @@ void guard(SolverStage& stage, const StepContext& context)
     guardLightBodies(stage.joints, stage.world.bodies, system, stage.motions.rows, context);
 }
 
+// Which bodies impacts have hit in this tick.
 void markHits(SolverStage& stage)
 {
     const Table<ImpactKick>& kicks = stage.scratch.rows.kicks;
@@ -97,6 +98,12 @@ void markTouched(SolverStage& stage)
         if (a != JointSystem::kNone) system.touchedGroups[a] = 1;
         if (b != JointSystem::kNone) system.touchedGroups[b] = 1;
     }
+}
+
+void markMet(SolverStage& stage)
+{
+    markHits(stage);
+    markTouched(stage);
 }
 
 // The second kick of a force that varies: taken at the new place and at the velocity expected there,
@@ -248,8 +255,7 @@ SolverCounts solve(SolverStage& stage, const StepContext& context)
         applyImpacts(impacts, context, tick);
         if (!stage.roused.empty()) varies = stage.field.varies(stage.motions, stage.world.bodies);
         hasJoints = !stage.system.empty();  // those of sleepers that were hit, too
-        if (hasJoints) markHits(stage);
-        if (hasJoints) markTouched(stage);
+        if (hasJoints) markMet(stage);
         if (varies || hasJoints)
             counts.clamps.speed += scratch.visited.visitAll(scratch.bodies(), rows, lanes, context, tick);
         if (stage.roused.size() > roused) seatJoints(stage);
@@ -271,10 +277,11 @@ SolverCounts solve(SolverStage& stage, const StepContext& context)
             tallyJoints(stage.joints, stage.system, rows);
             hinges.tally(rows);
         }
-        if (tick == 0) lanes.pushes.assign(rows.size(), {});
-        if (tick == 0)
+        if (tick == 0) {
+            lanes.pushes.assign(rows.size(), {});
             scratch.passes.pushApart(stage.contacts, stage.motions, lanes, context, counts.clamps,
                                      &jointWorld, &stage.system);
+        }
 
         span.next("drift");
         const bool together = !varies && !hasJoints;
@@ -282,11 +289,10 @@ SolverCounts solve(SolverStage& stage, const StepContext& context)
         if (hasJoints) turnJoints(stage, lanes.changes, context);
         if (varies)
             counts.lawFaults += accelerateAfterDrift(stage, context, time + context.dt / context.ticks);
-        if (!together) {
+        if (!together)
             for (const auto [begin, end] : scratch.visited.chunks(rows.size()))
                 counts.clamps.speed += scratch.bodies().kickAfterDrift({rows.data(), lanes, begin, end},
                                                                        context, scratch.impacts.kicked);
-        }
         if (hasJoints) {
             span.next("joints");
             settleJoints(stage.system, hinges, rows, lanes.changes, context);
