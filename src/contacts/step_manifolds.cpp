@@ -40,13 +40,17 @@ void updateBatch(std::span<Contact* const> contacts, const ShapeTable& shapes, c
 
 }  // namespace
 
+bool isTouching(const Contact& c, const Tuning& tuning)
+{
+    for (int i = 0; i < c.count; ++i)
+        if (c.points[i].gap <= (tuning.touchingFactor - 1) * c.restGap) return true;
+    return false;
+}
+
 ContactFacts factsOf(const Contact& c, const Tuning& tuning)
 {
-    bool linked = false;
-    for (int i = 0; i < c.count; ++i) {
-        const real reach = (tuning.touchingFactor - 1) * c.restGap;
-        linked = linked || c.points[i].normalImpulse > 0 || c.points[i].gap <= reach;
-    }
+    bool linked = isTouching(c, tuning);
+    for (int i = 0; i < c.count; ++i) linked = linked || c.points[i].normalImpulse > 0;
     const Nearness nearness = linked ? Nearness::Linked : c.count > 0 ? Nearness::Near : Nearness::Apart;
     return {c.rowA, c.rowB, c.versionA, c.versionB, nearness, c.swept};
 }

@@ -27,6 +27,9 @@ ManifoldCounts updateForStep(ContactTable& contacts, bool same, const ShapeTable
                              const MotionTable& motions, const StepContext& context, ExpectedPaths& paths,
                              ManifoldScratch& scratch, Parallel& parallel);
 
+/// Does some point of the contact count as touching, with the gaps that were found last?
+bool isTouching(const Contact& contact, const Tuning& tuning);
+
 /// What is to be known of a contact beside all that it holds.
 ContactFacts factsOf(const Contact& contact, const Tuning& tuning);
 

@@ -35,6 +35,12 @@ struct TickTime {
     real start = 0, rest = 0;  // from the start of the step; to its end   [s]
 };
 
+inline TickTime timeOf(int tick, const StepContext& context)
+{
+    const real start = static_cast<real>(tick) * context.h;
+    return {tick, start, static_cast<real>(context.dt) - start};
+}
+
 /// Rows that leave their boxes in a tick: a list with room for all, and how many.
 struct StrayList {
     std::uint32_t* rows;

@@ -5,6 +5,7 @@
 
 #include "solver/contact_kernels.hpp"
 #include "solver/flight.hpp"
+#include "solver/with_lanes.hpp"
 
 #include <algorithm>
 
@@ -424,18 +425,9 @@ bool isPlain(const Contact& c)
 
 std::unique_ptr<ContactLanes> makeContactLanes(LaneWidth width, Parallel& parallel)
 {
-    switch (width) {
-    case LaneWidth::Bytes64:
-        return std::make_unique<ContactLanesOf<kLanes64>>(parallel);
-    case LaneWidth::Bytes32:
-        return std::make_unique<ContactLanesOf<kLanes32>>(parallel);
-    case LaneWidth::Scalar:
-        return std::make_unique<ContactLanesOf<1>>(parallel);
-    case LaneWidth::Bytes16:
-    case LaneWidth::Best:
-        break;
-    }
-    return std::make_unique<ContactLanesOf<kLanes16>>(parallel);
+    return withLanes(width, [&](auto lanes) -> std::unique_ptr<ContactLanes> {
+        return std::make_unique<ContactLanesOf<lanes()>>(parallel);
+    });
 }
 
 }  // namespace tamias2d::inline TAMIAS_PRECISION

@@ -67,14 +67,6 @@ void finalizeContact(Contact& c, const Motion& a, const Motion& b, const ShapeTa
     }
 }
 
-// At the present gaps.
-bool isTouching(const Contact& contact, const Tuning& tuning)
-{
-    for (int i = 0; i < contact.count; ++i)
-        if (contact.points[i].gap <= (tuning.touchingFactor - 1) * contact.restGap) return true;
-    return false;
-}
-
 TouchChange noteTouch(Contact& c, const Tuning& tuning, FinalCounts& counts)
 {
     const bool touches = isTouching(c, tuning), did = c.touching;

@@ -7,6 +7,7 @@
 #include "solver/contact_block.hpp"
 #include "solver/contact_lanes.hpp"
 #include "solver/hinge_kernels.hpp"
+#include "solver/with_lanes.hpp"
 
 #include <algorithm>
 #include <bit>
@@ -328,18 +329,9 @@ void HingeLanesOf<W>::storeAll(JointTable& joints)
 
 std::unique_ptr<HingeLanes> makeHingeLanes(LaneWidth width, Parallel& parallel)
 {
-    switch (width) {
-    case LaneWidth::Bytes64:
-        return std::make_unique<HingeLanesOf<kLanes64>>(parallel);
-    case LaneWidth::Bytes32:
-        return std::make_unique<HingeLanesOf<kLanes32>>(parallel);
-    case LaneWidth::Scalar:
-        return std::make_unique<HingeLanesOf<1>>(parallel);
-    case LaneWidth::Bytes16:
-    case LaneWidth::Best:
-        break;
-    }
-    return std::make_unique<HingeLanesOf<kLanes16>>(parallel);
+    return withLanes(width, [&](auto lanes) -> std::unique_ptr<HingeLanes> {
+        return std::make_unique<HingeLanesOf<lanes()>>(parallel);
+    });
 }
 
 }  // namespace tamias2d::inline TAMIAS_PRECISION

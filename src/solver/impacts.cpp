@@ -273,8 +273,7 @@ void startTick(ImpactStage& stage, const StepContext& context, int tick)
 {
     Table<Motion>& motions = stage.motions.rows;
     ImpactScratch& scratch = stage.scratch;
-    const real t = static_cast<real>(tick) * context.h;
-    const TickTime time{tick, t, static_cast<real>(context.dt) - t};
+    const TickTime time = timeOf(tick, context);
     scratch.tick = tick;
     scratch.strays.resize(motions.size());
     const std::vector<BodyChunk>& chunks = stage.visited.chunks(motions.size());

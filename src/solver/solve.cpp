@@ -87,14 +87,12 @@ void markHits(SolverStage& stage)
 void markTouched(SolverStage& stage)
 {
     JointSystem& system = stage.system;
-    const ContactTable& contacts = stage.contacts;
+    const Table<PairRow>& pairs = stage.scratch.impacts.pairs;  // those that came in within the step, too
     system.touchedGroups.assign(system.wholeGroups.size(), 0);
-    for (std::size_t i = 0; i < contacts.rows.size(); ++i) {
-        const bool isKnown = i < contacts.facts.size();
-        const std::uint32_t rowA = isKnown ? contacts.facts[i].rowA : contacts.rows[i].rowA;
-        const std::uint32_t rowB = isKnown ? contacts.facts[i].rowB : contacts.rows[i].rowB;
-        const std::uint32_t a = system.groupOf[rowA], b = system.groupOf[rowB];
-        if ((a == JointSystem::kNone && b == JointSystem::kNone) || contacts.rows[i].count == 0) continue;
+    for (std::size_t i = 0; i < pairs.size(); ++i) {
+        const std::uint32_t a = system.groupOf[pairs[i].rowA], b = system.groupOf[pairs[i].rowB];
+        if (a == b && a == JointSystem::kNone) continue;
+        if (stage.contacts.rows[i].count == 0) continue;
         if (a != JointSystem::kNone) system.touchedGroups[a] = 1;
         if (b != JointSystem::kNone) system.touchedGroups[b] = 1;
     }

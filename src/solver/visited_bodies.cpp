@@ -89,9 +89,7 @@ std::uint32_t VisitedBodies::visit(std::uint32_t row, const BodyKernels& kernels
     const std::uint32_t clamped = fly(chunk, kernels, motions, rows, context, tick);
     std::uint32_t none[kBlock];  // nobody strays
     StrayList strays{none, 0};
-    const real start = static_cast<real>(tick) * context.h;
-    kernels.startTick({motions.data(), rows, chunk.begin, chunk.end}, context,
-                      {tick, start, static_cast<real>(context.dt) - start}, strays);
+    kernels.startTick({motions.data(), rows, chunk.begin, chunk.end}, context, timeOf(tick, context), strays);
     return clamped;
 }
 
