@@ -97,7 +97,7 @@ real startTick(const BodyRows& bodies, const StepContext& context, const TickTim
         store<W>(steady, motions, kSteady, run);
         const FourLanes<W> outside = load<W>(motions, kAcceleration, run);
         const FourLanes<W> damping = load<W>(motions, kRotation, run);
-        store<W>({velocity.x, velocity.y, velocity.z, zero}, rows.velocities.data(), 0, run);
+        store<W>({velocity.x, velocity.y, velocity.z, zero}, rows.starts.data(), 0, run);
         store<W>({steady.x, steady.y, outside.x, outside.y}, rows.loads.data(), 0, run);
         const FourLanes<W> flight = flightOf(velocity, steady, outside, masses, damping, context);
         store<W>(flight, rows.expected.data(), 0, run);

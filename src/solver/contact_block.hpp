@@ -17,6 +17,7 @@ struct ContactBlock {
     std::uint32_t active = 0;                // lanes with a contact
     std::uint32_t movesA = 0, movesB = 0;    // lanes whose body can be pushed
     std::uint32_t two = 0;                   // lanes with two points
+    std::uint32_t unloaded[2] = {};          // lanes of which a point carried nothing as the tick began
     bool oneIsland = true;                   // are all lanes of the same?
 
     int points() const { return (active & two) != 0 ? 2 : 1; }

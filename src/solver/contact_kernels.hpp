@@ -28,6 +28,10 @@ struct ContactKernels {
     static std::size_t findApproaching(const Block* blocks, const Source* sources, std::size_t count,
                                        const TickRows& rows, const StepContext& context, real fastest,
                                        std::uint32_t* list);
+    /// Lists the contacts of which a point carries something that carried nothing as the tick began in
+    /// `list`, which has room for all; returns how many.
+    static std::size_t findNewlyLoaded(const Block* blocks, const Source* sources, std::size_t count,
+                                       std::uint32_t* list);
     /// One pass, in the islands that are `visited`, or in all if that is null; marks in `unrest` those whose
     /// speeds it changed by more than `restless` [m/s].
     static void pass(Block* blocks, std::size_t count, TickRows& rows, const std::uint8_t* visited,

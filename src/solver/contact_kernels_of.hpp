@@ -111,12 +111,16 @@ std::size_t ContactKernels<W>::prepare(Block* blocks, Source* sources, std::size
         const int points = block.points();
         const PointRow<Wide>&p = block.row.points[0], &q = block.row.points[1];
         auto loaded = p.normalImpulse > zero;
-        if (points == 2) loaded = loaded | (q.normalImpulse > zero);
+        block.unloaded[0] = block.active & ~bitsOf(loaded);
+        block.unloaded[1] = 0;
+        if (points == 2) {
+            const auto secondLoaded = q.normalImpulse > zero;
+            block.unloaded[1] = block.active & block.two & ~bitsOf(secondLoaded);
+            loaded = loaded | secondLoaded;
+        }
         std::uint32_t closed = block.active;
-        if ((source.elastic & block.active) != 0) {
-            std::uint32_t unloaded = ~bitsOf(p.normalImpulse > zero);
-            if (points == 2) unloaded |= block.two & ~bitsOf(q.normalImpulse > zero);
-            const std::uint32_t bounces = source.elastic & block.active & unloaded;
+        const std::uint32_t bounces = source.elastic & (block.unloaded[0] | block.unloaded[1]);
+        if (bounces != 0) {
             for (int lane = 0; lane < W; ++lane)
                 if ((bounces >> lane & 1u) != 0) open[opened++] = source.contact[lane];
             closed &= ~bounces;
@@ -154,8 +158,8 @@ std::size_t ContactKernels<W>::findApproaching(const Block* blocks, const Source
         if ((bitsOf(canReach) & block.active) == 0) continue;
 
         const BasicVec2<Wide> n = block.row.normal;
-        const FourLanes<W> vA = gatherRows<W>(rows.velocities.data(), block.rowA);
-        const FourLanes<W> vB = gatherRows<W>(rows.velocities.data(), block.rowB);
+        const FourLanes<W> vA = gatherRows<W>(rows.starts.data(), block.rowA);
+        const FourLanes<W> vB = gatherRows<W>(rows.starts.data(), block.rowB);
         const FourLanes<W> eA = gatherRows<W>(rows.expected.data(), block.rowA);
         const FourLanes<W> eB = gatherRows<W>(rows.expected.data(), block.rowB);
         const FourLanes<W> lA = gatherRows<W>(rows.loads.data(), block.rowA);
@@ -180,6 +184,25 @@ std::size_t ContactKernels<W>::findApproaching(const Block* blocks, const Source
         near &= block.active & bitsOf(reach >= source.slowest);
         for (int lane = 0; lane < W; ++lane)
             if ((near >> lane & 1u) != 0) list[found++] = source.contact[lane];
+    }
+    return found;
+}
+
+template <int W>
+std::size_t ContactKernels<W>::findNewlyLoaded(const Block* blocks, const Source* sources, std::size_t count,
+                                               std::uint32_t* list)
+{
+    std::size_t found = 0;
+    const Wide zero(real(0));
+    for (std::size_t at = 0; at < count; ++at) {
+        const Block& block = blocks[at];
+        std::uint32_t loaded = 0;
+        for (int k = 0; k < 2; ++k)
+            if ((block.unloaded[k] & block.active) != 0)
+                loaded |= block.unloaded[k] & bitsOf(block.row.points[k].normalImpulse > zero);
+        if ((loaded & block.active) == 0) continue;
+        for (int lane = 0; lane < W; ++lane)
+            if (((loaded & block.active) >> lane & 1u) != 0) list[found++] = sources[at].contact[lane];
     }
     return found;
 }

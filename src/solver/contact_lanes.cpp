@@ -43,6 +43,7 @@ public:
     void prepare(TickRows& rows, const StepContext& context, std::vector<std::uint32_t>& open) override;
     void findApproaching(const TickRows& rows, const StepContext& context, real fastest,
                          std::vector<std::uint32_t>& found) const override;
+    void findNewlyLoaded(std::vector<std::uint32_t>& found) const override;
     void keep() override { kept_ = blocks_; }
     void restore() override { blocks_ = kept_; }
     int colors() const override { return static_cast<int>(colorEnds_.size()); }
@@ -88,6 +89,7 @@ private:
     std::vector<std::uint8_t> kinds_;        // by contact: which of these lists it belongs to
     std::vector<std::uint32_t> sorted_[3];   // contacts of a color: of two points, of one, of none yet
     std::vector<std::uint32_t> slots_;       // contacts by lane; kNone for an empty one
+    mutable std::vector<std::uint32_t> room_;   // a place for every lane
     mutable std::vector<std::size_t> counts_;   // by chunk
     bool solved_ = false;                    // have the passes of the tick begun?
 
@@ -113,6 +115,8 @@ private:
     void store(std::size_t slot, Contact& row) const;
     void leaveEmpty(std::size_t slot);
     std::size_t closeUp(std::uint32_t* list, std::size_t first, std::size_t end) const;
+    template <class Find>
+    void listAll(Find find, std::vector<std::uint32_t>& found) const;
     void place(std::uint32_t contact, const Contact& row, std::size_t slot, const MotionTable& motions,
                const Islands& islands);
 };
@@ -243,18 +247,39 @@ void ContactLanesOf<W>::prepare(TickRows& rows, const StepContext& context, std:
     open.resize(before + end);
 }
 
+// What find(first block, blocks, list) lists of each chunk of all blocks, in their order.
+template <int W>
+template <class Find>
+void ContactLanesOf<W>::listAll(Find find, std::vector<std::uint32_t>& found) const
+{
+    if (room_.size() < W * blocks_.size()) room_.resize(blocks_.capacity() * W);
+    counts_.assign(Parallel::chunksOf(blocks_.size(), kGrain), 0);
+    parallel_.forEach(blocks_.size(), kGrain, [&](const Chunk& chunk) {
+        counts_[chunk.index] = find(chunk.begin, chunk.end - chunk.begin, room_.data() + W * chunk.begin);
+    });
+    found.assign(room_.data(), room_.data() + closeUp(room_.data(), 0, 0));
+}
+
 template <int W>
 void ContactLanesOf<W>::findApproaching(const TickRows& rows, const StepContext& context, real fastest,
                                         std::vector<std::uint32_t>& found) const
 {
-    found.resize(W * blocks_.size());
-    counts_.assign(Parallel::chunksOf(blocks_.size(), kGrain), 0);
-    parallel_.forEach(blocks_.size(), kGrain, [&](const Chunk& chunk) {
-        counts_[chunk.index] = Kernels::findApproaching(
-            blocks_.data() + chunk.begin, sources_.data() + chunk.begin, chunk.end - chunk.begin, rows,
-            context, fastest, found.data() + W * chunk.begin);
-    });
-    found.resize(closeUp(found.data(), 0, 0));
+    listAll(
+        [&](std::size_t first, std::size_t count, std::uint32_t* list) {
+            return Kernels::findApproaching(blocks_.data() + first, sources_.data() + first, count, rows,
+                                            context, fastest, list);
+        },
+        found);
+}
+
+template <int W>
+void ContactLanesOf<W>::findNewlyLoaded(std::vector<std::uint32_t>& found) const
+{
+    listAll(
+        [&](std::size_t first, std::size_t count, std::uint32_t* list) {
+            return Kernels::findNewlyLoaded(blocks_.data() + first, sources_.data() + first, count, list);
+        },
+        found);
 }
 
 template <int W>
@@ -340,7 +365,13 @@ LaneView ContactLanesOf<W>::view(std::uint32_t contact) const
     view.normal = laneOf(b.row.normal, lane);
     for (int k = 0; k < 2; ++k) {
         const PointRow<Lane<W>>& p = b.row.points[k];
-        view.points[k] = {p.turnA.v[lane], p.turnB.v[lane], s.gap[k].v[lane], p.normalInverse.v[lane] > 0};
+        view.points[k] = {p.turnA.v[lane],
+                          p.turnB.v[lane],
+                          s.gap[k].v[lane],
+                          p.normalInverse.v[lane] > 0,
+                          (b.unloaded[k] >> lane & 1u) == 0,
+                          p.normalImpulse.v[lane],
+                          p.tangentImpulse.v[lane]};
         view.isLoaded = view.isLoaded || p.normalImpulse.v[lane] > 0;
     }
     return view;
@@ -384,7 +415,10 @@ void ContactLanesOf<W>::drop(std::uint32_t contact)
 template <int W>
 void ContactLanesOf<W>::unload(std::uint32_t contact, Contact& c)
 {
-    store(laneOf_[contact], c);
+    const std::uint32_t slot = laneOf_[contact];
+    store(slot, c);
+    for (int k = 0; k < c.count; ++k)
+        c.points[k].wasLoaded = (blocks_[slot / W].unloaded[k] >> slot % W & 1u) == 0;
     drop(contact);
 }
 

@@ -25,6 +25,8 @@ struct LaneView {
         real turnA, turnB;   ///< arm x normal   [m]
         real gap;            ///< beyond the rest gap   [m]
         bool yields;         ///< does an impulse at it move anything?
+        bool wasLoaded;      ///< did it carry anything as the tick began?
+        real normalImpulse, tangentImpulse;   ///< [N*s]
     } points[2];
 };
 
@@ -73,6 +75,8 @@ public:
     /// that is faster than `fastest` [m/s].
     virtual void findApproaching(const TickRows& rows, const StepContext& context, real fastest,
                                  std::vector<std::uint32_t>& found) const = 0;
+    /// Lists the contacts of which a point carries something that carried nothing as the tick began.
+    virtual void findNewlyLoaded(std::vector<std::uint32_t>& found) const = 0;
     virtual int colors() const = 0;
     /// One pass over a color in the islands that are `visited`, or in all if that is null; marks those whose
     /// speeds it changed by more than `restless` [m/s].

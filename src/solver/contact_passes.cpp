@@ -14,6 +14,13 @@ void prepareLoose(Contact& c, const MotionTable& motions)
     for (int i = 0; i < c.count; ++i) c.points[i].wasLoaded = c.points[i].normalImpulse > 0;
 }
 
+bool isNewlyLoaded(const Contact& c)
+{
+    for (int k = 0; k < c.count; ++k)
+        if (!c.points[k].wasLoaded && c.points[k].normalImpulse > 0) return true;
+    return false;
+}
+
 }  // namespace
 
 void startLoose(Contact& c, const MotionTable& motions, TickRows& rows)
@@ -146,7 +153,7 @@ void ContactPasses::loosen(std::uint32_t contact, ContactTable& contacts, const 
     Contact& c = contacts.rows[contact];
     if (leaveLane(contact, c)) {
         c.fastestImpact = 0;
-        prepareLoose(c, motions);
+        prepareContact(c, motions.rows[c.rowA], motions.rows[c.rowB]);
     }
     addLoose(contact);
 }
@@ -280,6 +287,16 @@ void ContactPasses::finish(ContactTable& contacts, const MotionTable& motions, T
         }
     }
     if (world != nullptr) piles_.forgetBlows(contacts, motions, world->context);
+}
+
+const std::vector<std::uint32_t>& ContactPasses::newlyLoaded(const ContactTable& contacts)
+{
+    lanes_->findNewlyLoaded(list_);
+    for (const std::uint32_t i : loose_)
+        if (isNewlyLoaded(contacts.rows[i])) list_.push_back(i);
+    std::sort(list_.begin(), list_.end(),
+              [this](std::uint32_t a, std::uint32_t b) { return placeOf(a) < placeOf(b); });
+    return list_;
 }
 
 void ContactPasses::keep(const ContactTable& contacts)

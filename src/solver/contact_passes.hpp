@@ -70,6 +70,9 @@ public:
     /// of the step.
     void finish(ContactTable& contacts, const MotionTable& motions, TickRows& rows,
                 const JointWorld* world = nullptr, JointSystem* joints = nullptr);
+    /// Then: contacts of which a point carries something that carried nothing as the tick began, in solving
+    /// order.
+    const std::vector<std::uint32_t>& newlyLoaded(const ContactTable& contacts);
     /// Finds the piles anew: at the start of a step, and when others come into it.
     void pile(ContactTable& contacts, const MotionTable& motions, JointSystem& joints)
     {

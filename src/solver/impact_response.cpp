@@ -6,6 +6,24 @@
 
 namespace tamias2d::inline TAMIAS_PRECISION {
 
+ImpactRecord recordOf(const Contact& c, const Moment& before, Position centerA)
+{
+    ImpactRecord entry{};
+    entry.shapeA = c.shapeA;
+    entry.shapeB = c.shapeB;
+    HitEvent& hit = entry.hit;
+    hit.point = centerA + toDVec2(before.place.armA);
+    hit.normal = before.normal;
+    hit.armA = before.place.armA;
+    hit.armB = before.place.armB;
+    hit.approachSpeed = -before.normalSpeed();
+    hit.velocityA = before.velocityA;
+    hit.velocityB = before.velocityB;
+    hit.angularVelocityA = before.spinA;
+    hit.angularVelocityB = before.spinB;
+    return entry;
+}
+
 void ImpactResponse::applyAt(const Contact& c, const PlacedPoint& place, Vec2 impulse, real t)
 {
     const real late = t * context_.invH, early = 1 - late;
@@ -52,27 +70,14 @@ real ImpactResponse::frictionImpulse(Contact& c, const Moment& moment, real norm
 void ImpactResponse::record(Contact& c, const Moment& before, real normalImpulse, real tangentImpulse, real t,
                             real restitution)
 {
-    const Flight& fa = flights_[c.rowA];
-    const Motion& a = motion(c.rowA);
-    ImpactRecord entry;
-    entry.shapeA = c.shapeA;
-    entry.shapeB = c.shapeB;
+    ImpactRecord entry = recordOf(c, before, motion(c.rowA).center + toDVec2(flights_[c.rowA].shiftAt(t)));
     entry.number = static_cast<std::uint32_t>(stage_.records.size());
     HitEvent& hit = entry.hit;
     hit.time = context_.time + static_cast<double>(tickStart_) + static_cast<double>(t);
-    hit.point = a.center + toDVec2(fa.shiftAt(t)) + toDVec2(before.place.armA);
-    hit.normal = before.normal;
-    hit.armA = before.place.armA;
-    hit.armB = before.place.armB;
-    hit.approachSpeed = -before.normalSpeed();
     c.fastestImpact = maximum(c.fastestImpact, hit.approachSpeed);
     hit.restitution = restitution;
     hit.normalImpulse = normalImpulse;
     hit.tangentImpulse = tangentImpulse;
-    hit.velocityA = before.velocityA;
-    hit.velocityB = before.velocityB;
-    hit.angularVelocityA = before.spinA;
-    hit.angularVelocityB = before.spinB;
     hit.group = stage_.groups;
     c.stepImpulse += normalImpulse * before.normal + tangentImpulse * perpendicular(before.normal);
     stage_.records.push_back(entry);

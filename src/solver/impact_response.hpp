@@ -8,6 +8,10 @@
 
 namespace tamias2d::inline TAMIAS_PRECISION {
 
+/// The record of an impulse at a point of a contact, without time, impulses and number. `centerA` is where
+/// A's center is.
+ImpactRecord recordOf(const Contact& contact, const Moment& before, Position centerA);
+
 /// Lets impacts act on the flights of their bodies, on the kicks of the tick, and on the records.
 class ImpactResponse {
 public:

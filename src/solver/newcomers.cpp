@@ -28,7 +28,8 @@ void enter(ImpactStage& stage, std::uint32_t body, const StepContext& context)
     lanes.changes.resize(rows.size());
     lanes.ways.resize(rows.size());
     lanes.poses.push_back(poseRow(rows.back(), rows.back().center));
-    lanes.velocities.push_back(laneRow(velocityOf(rows.back())));
+    for (Table<LaneRow>* each : {&lanes.starts, &lanes.velocities})
+        each->push_back(laneRow(velocityOf(rows.back())));
     for (Table<LaneRow>* each : {&lanes.steady, &lanes.expected, &lanes.loads, &lanes.pushes, &lanes.spans})
         each->resize(rows.size());
 }

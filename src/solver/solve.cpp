@@ -7,6 +7,7 @@
 #include "solver/calm.hpp"
 #include "solver/integrate.hpp"
 #include "solver/joint_passes.hpp"
+#include "solver/pass_hits.hpp"
 #include "solver/tick_sweeps.hpp"
 
 #include <atomic>
@@ -220,10 +221,9 @@ SolverCounts solve(SolverStage& stage, const StepContext& context)
     std::size_t roused = 0;
     startSweeps(impacts, context, stage.sameContacts ? &stage.renewed : nullptr);
     findCalmRows(stage.islands, scratch.calmRows);
-    lanes.velocities.resize(rows.size());
-    lanes.expected.resize(rows.size());
-    lanes.loads.resize(rows.size());
-    lanes.pushes.resize(rows.size());
+    for (Table<LaneRow>* each :
+         {&lanes.starts, &lanes.velocities, &lanes.expected, &lanes.loads, &lanes.pushes})
+        each->resize(rows.size());
     lanes.ways.assign(rows.size(), {});
     lanes.kicks.assign(rows.size(), {});
     lanes.changes.resize(rows.size());
@@ -269,6 +269,7 @@ SolverCounts solve(SolverStage& stage, const StepContext& context)
             stage.joints, stage.world.bodies, stage.motions, stage.islands, context, hinges, lanes};
         passOver(stage, jointWorld);
         scratch.passes.finish(stage.contacts, stage.motions, lanes, &jointWorld, &stage.system);
+        recordPassHits(impacts, context, tick);
         if (hasJoints) {
             settleLost(jointWorld, stage.system, scratch.before, lanes.velocities);
             storeJointed(stage, lanes);

@@ -56,7 +56,8 @@ struct alignas(4 * sizeof(double)) StartPlace {
 struct TickRows {
     Table<StartPlace> origins;
     Table<LaneRow> poses;  // way of the center since then [m], cosine and sine
-    Table<LaneRow> velocities;  // of the center [m/s], spin [rad/s]
+    Table<LaneRow> starts;  // velocities as the tick begins, of the center [m/s], spin [rad/s]
+    Table<LaneRow> velocities;  // those that passes work on
     Table<LaneRow> steady;  // Motion::steady [m/s], steadySpin [rad/s]; w is 1 where a load is
     Table<LaneRow> expected;  // accelerations of a flight [m/s^2], [rad/s^2]; w: see fastestPoint
     Table<LaneRow> loads;  // Motion::steady [m/s], Motion::acceleration [m/s^2], as the tick begins

@@ -278,6 +278,7 @@ StepReport World::Impl::step(double dt, int substeps)
         return a.shapeB != b.shapeB ? a.shapeB < b.shapeB : a.number < b.number;
     });
     for (const ImpactRecord& record : impacts) {
+        r.impacts += record.hit.simultaneous ? 0 : 1;
         HitEvent hit = record.hit;
         hit.shapeA = shapes.ids.id(record.shapeA);
         hit.shapeB = shapes.ids.id(record.shapeB);
@@ -305,7 +306,6 @@ StepReport World::Impl::step(double dt, int substeps)
     r.awake = census.dynamicBodies - asleep.bodies;
     r.shapes = census.shapes;
     r.pairs = static_cast<std::uint32_t>(contacts.rows.size());
-    r.impacts = static_cast<std::uint32_t>(impacts.size());
     r.joints = static_cast<std::uint32_t>(jointSystem.ties.size());
     r.stiffGroups = static_cast<std::uint32_t>(jointSystem.directCount) + counts.piles;
     r.stiffFallbacks = jointSystem.fallbacks + counts.pileFallbacks;

@@ -17,7 +17,13 @@ struct TouchEvent {
     BodyId bodyA, bodyB;
 };
 
-/// One impulse at its time of impact: velocities after it follow DD8 with exactly these figures.
+/// One impulse of an impact. Most act alone, at their time: velocities after them follow DD8 with exactly
+/// these figures. Slow impacts in crowds, of C_R < 1, are `simultaneous`: stopped plastically, together
+/// with all around them, within one tick [ADR21]. The contact changed the momenta of its two bodies in that
+/// tick by exactly these impulses at these arms; so did other contacts and forces, and velocities after the
+/// tick are the sum of all. What is still to close as the tick begins closes with its end, and the speed
+/// left until then is stopped as a load of the next: two bodies alone get (1 - t/h) of the whole impulse,
+/// with t the time in the tick of length h. The approach speed is always whole.
 struct HitEvent {
     ShapeId shapeA, shapeB;
     BodyId bodyA, bodyB;
@@ -26,12 +32,13 @@ struct HitEvent {
     Vec2 normal;                ///< from A to B, length 1                         [1]
     Vec2 armA, armB;            ///< from each center of mass to the point: r_AP, r_BP  [m]
     real approachSpeed = 0;     ///< -n . (v_B - v_A) at the point, before; > 0    [m/s]
-    real restitution = 0;       ///< of the pair; plastic impulses of a crowded tick have 0   [1]
+    real restitution = 0;       ///< that acted: of the pair, or 0 where a crowd ended it   [1]
     real normalImpulse = 0;     ///< j along the normal on B, -j on A              [N*s]
     real tangentImpulse = 0;    ///< friction, along the normal turned by +90 degrees, on B   [N*s]
     Vec2 velocityA, velocityB;            ///< of the centers, just before             [m/s]
     real angularVelocityA = 0, angularVelocityB = 0;  ///< just before                 [rad/s]
     std::uint32_t group = 0;    ///< impulses of one two-point impact share a number (they act at once)
+    bool simultaneous = false;  ///< stopped in one tick with all around it: see above
 };
 
 /// A joint that broke at the end of the step: from now on it is disabled.

@@ -36,7 +36,7 @@ struct StepReport {
     std::uint32_t pairs = 0;             ///< of shapes whose swept boxes overlap, one of a body awake
     std::uint32_t sweptPairs = 0;        ///< looked at again in every tick (half sub-step)
     std::uint32_t touching = 0;          ///< contacts that touch at the end, asleep or not
-    std::uint32_t impacts = 0;           ///< impulses at their time of impact
+    std::uint32_t impacts = 0;  ///< impulses at their time of impact: hits but for the simultaneous ones
     std::uint32_t repaired = 0;  ///< pairs added because an impact threw a body out of its swept box
     std::uint32_t islands = 0;  ///< groups of movable bodies that touch or bear each other; one alone counts
     std::uint32_t joints = 0;  ///< at work: enabled, between enabled bodies
