@@ -62,6 +62,7 @@ struct JointTie {
     std::uint32_t rowA = 0, rowB = 0;    // of its bodies in the MotionTable
     std::uint32_t group = 0;             // of bodies that joints tie together
     bool own = false;                    // of a joint of one's own
+    bool uneven = false;                 // are masses among them that soft rows cannot be trusted with?
     MoreBodies* more = nullptr;          // beyond two
 
     /// Each of its bodies, once: rows of the MotionTable.

@@ -5,6 +5,7 @@
 #include "joints/direct.hpp"
 #include "joints/own.hpp"
 #include "joints/pose.hpp"
+#include "math/lane_rows.hpp"
 
 #include <vector>
 
@@ -17,9 +18,26 @@ struct ProjectionScratch {
     std::vector<real> impulses;  // by joint and row
 };
 
-/// The joints at work in a step, each list in the order of its bodies; keeps its memory.
+/// What lists of joints depend on of a body.
+struct ListedRow {
+    std::uint32_t body = 0;
+    bool isDamped = false;
+    Vec2 invMass;
+    real invInertia = 0;
+
+    bool operator==(const ListedRow&) const = default;
+};
+
+/// The joints at work in a step, each list in the order of its bodies; keeps its memory. The lists stay from
+/// step to step while joints and rows do.
 struct JointSystem {
     static constexpr std::uint32_t kNone = 0xffffffffu;
+    static constexpr std::uint64_t kNeverListed = 0;
+
+    std::uint64_t listing = kNeverListed;    // the number of the lists: others have another one
+    bool isAltered = false;                  // are they to be made anew for the next step?
+    std::uint64_t changes = 0;               // JointTable::changes when they were made
+    std::vector<ListedRow> listed;           // by row, then
 
     std::vector<JointTie> ties;              // all of them
     std::vector<JointRows> joints;           // those that are visited one by one, or at once
@@ -50,9 +68,12 @@ struct JointSystem {
     std::vector<std::size_t> members, bodies, placeOf;   // by group, scratch
     std::vector<std::uint8_t> hingesAt;      // by row, scratch: how many, up to 255
     std::vector<std::uint8_t> hit;           // by row: by an impact in this tick
+    bool anyHit = false;
     std::vector<real> pull;                  // by row, scratch: sum of tension times arm   [N*m*s]
-    std::vector<MoreBodies> more;            // of the joints that have more than two
-    std::uint32_t ownFaults = 0;             // of joints that have gone from the list in this step
+    std::vector<real> ownInvInertia;         // by row: of what joints tie, unguarded; else 0
+    std::vector<std::uint32_t> guarded;  // rows with more moment of inertia in this tick than their own
+    std::vector<MoreBodies> more;  // of the joints that have more than two
+    std::uint32_t ownFaults = 0;  // of joints that have gone from the list in this step
 
     /// Times in the step that a constraint of one's own had no answer, or none that can be.
     std::uint32_t countFaults() const;
@@ -62,8 +83,7 @@ struct JointSystem {
     {
         return joints[direct[place].joints.front()].group;
     }
-    /// Do joints alone change the velocity of the body in the two halves of this tick?
-    bool isHalved(std::size_t row) const { return groupOf[row] != kNone && !wholeGroups[groupOf[row]]; }
+    bool isTied(std::size_t row) const { return groupOf[row] != kNone; }
 };
 
 /// Masses so far apart that visits one by one do not settle what ties two bodies: one is so many times the
@@ -73,7 +93,8 @@ inline constexpr double kUnevenTies = 30;
 /// Can both be pushed, and is the mass of one more than `ratio` times that of the other?
 bool areUneven(const Motion& a, const Motion& b, double ratio);
 
-/// Which joints act, on what rows, and which bodies they tie together; measured at the present poses.
+/// Which joints act, on what rows, and which bodies they tie together; measured at the present poses. Lists
+/// that would be the same are kept.
 void gatherJoints(JointTable& table, const BodyTable& bodies, const MotionTable& motions,
                   JointSystem& system);
 
@@ -92,6 +113,12 @@ void findTorn(JointSystem& system, const StepContext& context, std::vector<std::
 /// Can a group be solved at once, and projected, that is not?
 bool mayBeStiffened(const JointSystem& system, std::uint32_t group);
 
+/// Is a group as large as those that may be solved at once?
+bool hasStiffSize(const JointSystem& system, std::uint32_t group);
+
+/// Is there a group that is, or can be?
+bool mayProject(const JointSystem& system);
+
 /// It is, for the rest of the step. False if its loops would fill its factors.
 bool stiffen(JointSystem& system, const Table<Motion>& motions, std::uint32_t group);
 
@@ -100,12 +127,15 @@ bool stiffen(JointSystem& system, const Table<Motion>& motions, std::uint32_t gr
 template <class Test>
 void takeFromLanes(JointSystem& system, Test isOf)
 {
-    std::erase_if(system.hinges, [&](const JointTie& tie) {
+    const std::size_t taken = std::erase_if(system.hinges, [&](const JointTie& tie) {
         if (!isOf(tie)) return false;
         system.joints.emplace_back();
         static_cast<JointTie&>(system.joints.back()) = tie;
         return true;
     });
+    if (taken == 0) return;
+    ++system.listing;
+    system.isAltered = true;
 }
 
 /// Errors, Jacobians and effective masses at the present poses, of the joints from `first` on.
@@ -114,26 +144,32 @@ void measureJoints(JointTable& table, const BodyTable& bodies, const MotionTable
 
 /// Light bodies between heavy loads turn under them faster than a tick can follow. They are given so much
 /// moment of inertia for the tick that it can [eq. 11].
-/// `system.pull` holds what lanes have added for theirs, by row.
-void guardLightBodies(const JointTable& table, const BodyTable& bodies, JointSystem& system,
-                      Table<Motion>& rows, const StepContext& context);
+/// `system.pull` holds what lanes have added for theirs, by row. Returns whether any has another one now.
+bool guardLightBodies(const JointTable& table, JointSystem& system, Table<Motion>& rows,
+                      const StepContext& context);
 
 /// After the passes: marks the groups solved at once in which loads came up that the tick was not begun for.
 void findOutgrown(JointSystem& system, const Table<Motion>& rows, const StepContext& context,
                   std::vector<std::uint8_t>& groups);
 
 /// After the last tick of a step: their own moments of inertia again.
-void releaseGuard(const BodyTable& bodies, Table<Motion>& rows);
+void releaseGuard(JointSystem& system, Table<Motion>& rows);
+
+/// Adds the velocity changes of the impulses that joints carry to Motion::steady, of joints that tie a row
+/// from `firstRow` on; or of all to rows of it beside.
+void addSteadyJoints(const JointTable& table, const JointSystem& system, Table<Motion>& rows,
+                     std::size_t firstRow);
+void addSteadyJoints(const JointTable& table, const JointSystem& system, const Table<Motion>& rows,
+                     Table<LaneRow>& steady);
 
 /// The same for the hinges that are left to lanes, from the table.
 void addSteadyHinges(const JointTable& table, const BodyTable& bodies, const JointSystem& system,
                      Table<Motion>& rows, std::size_t firstRow);
 
-/// Adds the velocity changes of the impulses that joints carry to `steady`.
-void addSteadyJoints(const JointTable& table, const JointSystem& system, Table<Motion>& rows);
-
-/// Bodies tied to one that bears a load are loaded, too: all of a group is solved the same way.
+/// Bodies tied to one that bears a load are loaded, too: all of a group is solved the same way. A load is
+/// Motion::load, or the fourth number of a row.
 void spreadLoad(JointSystem& system, Table<Motion>& rows);
+void spreadLoad(JointSystem& system, Table<LaneRow>& steady);
 
 /// Impulses as the tick begins, and what they aim at, for the velocities after the first kick.
 void startJoints(const JointTable& table, const BodyTable& bodies, const MotionTable& motions,
@@ -159,13 +195,15 @@ real aimJoint(const JointTable& table, const BodyTable& bodies, const MotionTabl
     return aimPair(table, bodies, pair, context, rows);
 }
 
-/// After the drift, with the joints measured there: the second half of what they carry becomes `steady` of
-/// the bodies in halves, along the directions that it has now.
-void turnSteadyJoints(JointSystem& system, Table<Motion>& rows, const StepContext& context);
+/// After the drift, with the joints measured there: the velocity changes of the second half of what they
+/// carry, along the directions that it has now, are added to `turned` of the bodies in halves.
+void turnSteadyJoints(JointSystem& system, const Table<Motion>& rows, Table<LaneRow>& turned,
+                      const StepContext& context);
 
 /// After the visits before the drift, and after those that follow it: adds what the joints did in them to the
 /// sums of the step.
-void tallyJoints(JointTable& table, const JointSystem& system, const Table<Motion>& rows);
+void tallyJoints(JointTable& table, const JointSystem& system, const Table<Motion>& rows,
+                 const Table<LaneRow>& velocities);
 
 /// After the tick: what the joints carry on. A joint of a body that was hit carries what it did before: the
 /// blow is not a load it will bear.

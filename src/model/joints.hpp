@@ -84,6 +84,9 @@ struct JointTable {
     std::vector<JointRow> rows;
     // By body slot, up to the last body that has had some: slots of its joints, in order of creation.
     std::vector<std::vector<std::uint32_t>> ofBody;
+    // Of joints, of what they are tied to and of what is to be solved at once: so often something has changed
+    // that is kept from step to step.
+    std::uint64_t changes = 0;
 
     std::span<const std::uint32_t> of(std::uint32_t body) const
     {

@@ -64,8 +64,12 @@ struct BodyKernels {
     /// damping adds to that. `pushed`: rows.pushes say something.
     void (*drift)(const BodyRows& bodies, const StepContext& context, bool kicked, bool pushed);
     /// The rest of the kick, at the new place. What contacts have done becomes the expectation for the next
-    /// tick. Bounds of speed; returns how many bodies had to be slowed.
-    std::uint32_t (*kickAfterDrift)(const BodyRows& bodies, const StepContext& context, bool kicked);
+    /// tick. Bounds of speed; returns how many bodies had to be slowed. `jointed`: rows.turned say something,
+    /// and are ready for the next tick; rows.velocities are those of now.
+    std::uint32_t (*kickAfterDrift)(const BodyRows& bodies, const StepContext& context, bool kicked,
+                                    bool jointed);
+    /// What joints have made of rows.velocities since then, for those that they tie.
+    void (*takeSettled)(const BodyRows& bodies);
     /// Slows loaded bodies that are already slow and not speeding up, against their grounds:
     /// docs/theory/calm.md.
     void (*calm)(Motion* motions, const CalmPair* pairs, std::size_t count, TickRows& rows,

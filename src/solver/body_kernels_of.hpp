@@ -169,7 +169,7 @@ void calm(Motion* motions, const CalmPair* pairs, std::size_t count, TickRows& r
 }  // namespace
 
 template <int W>
-const BodyKernels BodyKernelsOf<W>::kTable = {boundSpeeds<W>, startTick<W>,      kick<W>,
-                                              drift<W>,       kickAfterDrift<W>, calm<W>};
+const BodyKernels BodyKernelsOf<W>::kTable = {boundSpeeds<W>,    startTick<W>,   kick<W>, drift<W>,
+                                              kickAfterDrift<W>, takeSettled<W>, calm<W>};
 
 }  // namespace tamias2d::inline TAMIAS_PRECISION

@@ -114,8 +114,29 @@ void kick(const BodyRows& bodies, const StepContext& context, bool kicked)
     });
 }
 
+// What joints alone hold carries what they do along their directions of now: see rows.turned.
+template <int W, class Run>
+TAMIAS_INLINE void turnSteady(const BodyRows& bodies, FourLanes<W>& steady, const Run& run)
+{
+    using Wide = Lane<W>;
+    const Wide zero(real(0)), half(real(0.5));
+    FourLanes<W> turned = load<W>(bodies.rows.turned.data(), 0, run);
+    const LaneMask<W> halved = (turned.w > zero) & !(steady.w > zero);
+    if (!any(halved)) return;
+    FourLanes<W> change = load<W>(bodies.rows.changes.data(), 0, run);
+    const auto turn = [&](Wide& was, Wide& total, Wide now) {
+        total = select(halved, total - half * was + half * now, total);
+        was = select(halved, now, was);
+    };
+    turn(steady.x, change.x, turned.x);
+    turn(steady.y, change.y, turned.y);
+    turn(steady.z, change.z, turned.z);
+    store<W>(change, bodies.rows.changes.data(), 0, run);
+    store<W>({zero, zero, zero, turned.w}, bodies.rows.turned.data(), 0, run);
+}
+
 template <int W>
-std::uint32_t kickAfterDrift(const BodyRows& bodies, const StepContext& context, bool kicked)
+std::uint32_t kickAfterDrift(const BodyRows& bodies, const StepContext& context, bool kicked, bool jointed)
 {
     using Wide = Lane<W>;
     Motion* const motions = bodies.motions;
@@ -126,6 +147,7 @@ std::uint32_t kickAfterDrift(const BodyRows& bodies, const StepContext& context,
         FourLanes<W> velocity = load<W>(motions, kVelocity, run), steady = load<W>(motions, kSteady, run);
         const FourLanes<W> outside = load<W>(motions, kAcceleration, run);
         const LaneMask<W> loaded = steady.w > zero;
+        if (jointed) turnSteady(bodies, steady, run);
         if (any(!loaded)) {
             const FourLanes<W> rates = load<W>(motions, kRotation, run);
             const DampingOf<W> way(motions, kDampedTick, rates.z, context, run);
@@ -140,6 +162,7 @@ std::uint32_t kickAfterDrift(const BodyRows& bodies, const StepContext& context,
         }
         velocity.w = zero;
         store<W>(velocity, motions, kVelocity, run);
+        if (jointed) store<W>(velocity, rows.velocities.data(), 0, run);
 
         FourLanes<W> change = load<W>(rows.changes.data(), 0, run);
         steady.x = change.x, steady.y = change.y, steady.z = change.z;
@@ -153,11 +176,42 @@ std::uint32_t kickAfterDrift(const BodyRows& bodies, const StepContext& context,
                                  (absolute(velocity.z) > mostTurn);
         if (!any(fast)) return;
         const std::uint32_t found = bitsOf(fast & isMovable(load<W>(motions, kMasses, run))) & run.valid();
-        for (int lane = 0; lane < W; ++lane)
-            if ((found >> lane & 1u) != 0 && clampSpeed(motions[run.row(lane)], context.lengthUnit))
-                ++clamped;
+        for (int lane = 0; lane < W; ++lane) {
+            const std::uint32_t row = run.row(lane);
+            if ((found >> lane & 1u) == 0 || !clampSpeed(motions[row], context.lengthUnit)) continue;
+            ++clamped;
+            if (jointed) rows.velocities[row] = laneRow(velocityOf(motions[row]));
+        }
     });
     return clamped;
+}
+
+template <int W>
+void takeSettled(const BodyRows& bodies)
+{
+    using Wide = Lane<W>;
+    Motion* const motions = bodies.motions;
+    TickRows& rows = bodies.rows;
+    const Wide zero(real(0));
+    eachRun<W>(bodies, [&](const auto& run) {
+        const LaneMask<W> tied = load<W>(rows.turned.data(), 0, run).w > zero;
+        if (!any(tied)) return;
+        FourLanes<W> velocity = load<W>(rows.velocities.data(), 0, run);
+        const FourLanes<W> before = load<W>(motions, kVelocity, run);
+        FourLanes<W> change = load<W>(rows.changes.data(), 0, run);
+        FourLanes<W> steady = load<W>(motions, kSteady, run);
+        const auto take = [&](Wide& total, Wide& carried, Wide by) {
+            total = select(tied, total + by, total);
+            carried = select(tied, carried + by, carried);
+        };
+        take(change.x, steady.x, velocity.x - before.x);
+        take(change.y, steady.y, velocity.y - before.y);
+        take(change.z, steady.z, velocity.z - before.z);
+        store<W>(change, rows.changes.data(), 0, run);
+        store<W>(steady, motions, kSteady, run);
+        velocity.w = before.w;
+        store<W>(velocity, motions, kVelocity, run);
+    });
 }
 
 }  // namespace

@@ -38,108 +38,116 @@ class HingeLanesOf final : public HingeLanes {
 public:
     explicit HingeLanesOf(Parallel& parallel) : parallel_(parallel) {}
 
-    void build(const JointSystem& system, const JointTable& joints, const BodyTable& bodies,
-               const MotionTable& motions, const Islands& islands, const TickRows& rows) override;
-    void storeAll(JointTable& joints) override;
+    void take(const JointSystem& system, const JointTable& joints, const BodyTable& bodies,
+              const MotionTable& motions, const Islands& islands, const TickRows& rows) override
+    {
+        if (listing_ == system.listing)
+            carryOn(islands, rows);
+        else
+            build(system, joints, bodies, motions, islands, rows);
+        listing_ = system.listing;
+        prepared_ = false;
+        each([&](const Run& run, std::size_t) { Kernels::measure(run, motions.rows.data(), rows); });
+    }
+    void store(const JointSystem& system, JointTable& joints) override;
+    void clear() override
+    {
+        blocks_.clear();
+        sources_.clear();
+        angles_.clear();
+        colorEnds_.clear();
+        listing_ = JointSystem::kNeverListed;
+    }
     bool empty() const override { return blocks_.empty(); }
 
-    void addPull(std::vector<real>& pull) const override
+    void addPull(std::vector<real>& pull) override
     {
-        Kernels::addPull(blocks_.data(), sources_.data(), blocks_.size(), pull.data());
+        Kernels::addPull(runOf(0, blocks_.size()), pull.data());
     }
-    void addSteady(Table<Motion>& motions) override
+    void addSteady(const Table<Motion>& motions, TickRows& rows, bool inertiasAreSame) override
     {
-        eachOfColors([&](std::size_t first, std::size_t count) {
-            Kernels::addSteady(blocks_.data() + first, sources_.data() + first, count, motions.data());
-        });
+        prepared_ = prepared_ && inertiasAreSame;
+        eachOfColors(
+            [&](const Run& run) { Kernels::addSteady(run, motions.data(), prepared_, rows.steady.data()); });
+        prepared_ = true;
     }
-    void start(Table<Motion>& motions, TickRows& rows, const std::vector<std::uint8_t>& wholeGroups,
-               const StepContext& context) override
+    void firstPass(Table<Motion>& motions, TickRows& rows, const std::vector<std::uint8_t>& wholeGroups,
+                   std::uint8_t* unrest, real restless, const StepContext& context) override
     {
         findTurns(motions, rows, context);
-        each([&](std::size_t first, std::size_t count) {
-            Kernels::start(blocks_.data() + first, sources_.data() + first, count, motions.data(),
-                           turns_.data(), wholeGroups.data(), context);
-        });
+        const HingeStart start{motions.data(), turns_.data(), wholeGroups.data(), prepared_};
+        const HingePass with{rows.velocities.data(), turns_.data(), nullptr, unrest, restless};
+        eachOfColors([&](const Run& run) { Kernels::firstPass(run, start, with, context); });
     }
     void pass(Table<Motion>& motions, TickRows& rows, const std::uint8_t* visited, std::uint8_t* unrest,
               real restless, const StepContext& context) override
     {
-        if (visited != nullptr) findTurns(motions, rows, context);
-        passOver({velocitiesOf(rows), visited != nullptr ? turns_.data() : nullptr, visited, unrest, false,
-                  true, restless});
+        findTurns(motions, rows, context);
+        const HingePass with{rows.velocities.data(), turns_.data(), visited, unrest, restless};
+        eachOfColors([&](const Run& run) { Kernels::pass(run, with); });
     }
     void findLost(Table<Motion>& motions, TickRows& rows, std::vector<std::uint8_t>& lost, real trusted,
                   const StepContext& context) override
     {
         findTurns(motions, rows, context);
-        each([&](std::size_t first, std::size_t count) {
-            Kernels::findLost(blocks_.data() + first, count, turns_.data(), trusted, lost.data());
+        each([&](const Run& run, std::size_t) {
+            Kernels::findLost(run, turns_.data(), trusted, lost.data());
         });
     }
     void flatten(const std::vector<std::uint8_t>& lost, TickRows& rows, const StepContext& context) override
     {
-        const HingePass with{velocitiesOf(rows), nullptr, nullptr, nullptr, false, true, 0};
-        eachOfColors([&](std::size_t first, std::size_t count) {
-            Kernels::flatten(blocks_.data() + first, sources_.data() + first, count, lost.data(), with,
-                             context);
-        });
+        eachOfColors(
+            [&](const Run& run) { Kernels::flatten(run, lost.data(), rows.velocities.data(), context); });
     }
-    void tally(const Table<Motion>& motions) override
+    void settle(const Table<Motion>& motions, TickRows& rows, const StepContext& context) override
     {
-        each([&](std::size_t first, std::size_t count) {
-            Kernels::tally(blocks_.data() + first, sources_.data() + first, count, motions.data());
-        });
+        eachOfColors(
+            [&](const Run& run) { Kernels::settle(run, motions.data(), rows, rows.turned.data(), context); });
+        prepared_ = true;
     }
-    void measure(const Table<Motion>& motions, const TickRows& rows) override
-    {
-        each([&](std::size_t first, std::size_t count) {
-            Kernels::measure(blocks_.data() + first, sources_.data() + first, count, motions.data(), rows);
-        });
-    }
-    void settle(Table<Motion>& motions, const StepContext& context) override
-    {
-        eachOfColors([&](std::size_t first, std::size_t count) {
-            Kernels::settle(blocks_.data() + first, sources_.data() + first, count, motions.data(), context);
-        });
-    }
-    void settlingPass(Table<Motion>& motions, const std::uint8_t* visited, std::uint8_t* unrest,
+    void settlingPass(TickRows& rows, const std::uint8_t* visited, std::uint8_t* unrest,
                       real restless) override
     {
-        auto* const first = reinterpret_cast<std::byte*>(motions.data()) + offsetof(Motion, velocity);
-        passOver({{first, sizeof(Motion)}, nullptr, visited, unrest, true, false, restless});
+        const HingePass with{rows.velocities.data(), nullptr, visited, unrest, restless};
+        eachOfColors([&](const Run& run) { Kernels::settlingPass(run, with); });
     }
-    void keep(const std::vector<std::uint8_t>& hit, const StepContext& context) override
+    void keep(const std::uint8_t* hit, const TickRows& rows, const StepContext& context) override
     {
-        each([&](std::size_t first, std::size_t count) {
-            Kernels::keep(blocks_.data() + first, sources_.data() + first, count, hit.data(), context);
-        });
+        each([&](const Run& run, std::size_t) { Kernels::keep(run, hit, rows.velocities.data(), context); });
     }
 
 private:
     using Kernels = HingeKernels<W>;
     using Block = HingeBlock<W>;
     using Source = HingeSource<W>;
+    using Angle = HingeAngle<W>;
+    using Run = HingeRun<W>;
     static constexpr std::size_t kGrain = 256 / W;   // blocks that are worth a thread's while
 
     Parallel& parallel_;
     Table<Block> blocks_;                     // color by color
-    Table<Source> sources_;
+    Table<Source> sources_;                   // by block
+    Table<Angle> angles_;                     // of those that have one
+    std::uint64_t listing_ = JointSystem::kNeverListed;   // of which they are
+    bool prepared_ = false;                   // have they the effective masses of now?
     Table<LaneRow> turns_;                    // by row
     std::vector<std::size_t> colorEnds_;      // in blocks
     std::vector<std::uint64_t> colorsAt_;     // by row: taken by its hinges, as bits
     std::vector<std::uint8_t> colorOf_;       // by hinge
     std::vector<std::size_t> places_;         // by color: the next free lane
+    std::vector<std::size_t> slots_;          // by hinge: its lane
+    std::vector<std::uint8_t> stiffens_;      // by chunk
 
-    static VelocityRows velocitiesOf(TickRows& rows)
+    Run runOf(std::size_t first, std::size_t count)
     {
-        return {reinterpret_cast<std::byte*>(rows.velocities.data()), sizeof(LaneRow)};
+        return {blocks_.data() + first, sources_.data() + first, angles_.data(), count};
     }
     template <class Body>
     void each(Body body)
     {
-        parallel_.forEach(blocks_.size(), kGrain,
-                          [&](const Chunk& chunk) { body(chunk.begin, chunk.end - chunk.begin); });
+        parallel_.forEach(blocks_.size(), kGrain, [&](const Chunk& chunk) {
+            body(runOf(chunk.begin, chunk.end - chunk.begin), chunk.index);
+        });
     }
     // Those of one color may be side by side.
     template <class Body>
@@ -148,16 +156,10 @@ private:
         std::size_t first = 0;
         for (const std::size_t end : colorEnds_) {
             parallel_.forEach(end - first, kGrain, [&](const Chunk& chunk) {
-                body(first + chunk.begin, chunk.end - chunk.begin);
+                body(runOf(first + chunk.begin, chunk.end - chunk.begin));
             });
             first = end;
         }
-    }
-    void passOver(const HingePass& with)
-    {
-        eachOfColors([&](std::size_t first, std::size_t count) {
-            Kernels::pass(blocks_.data() + first, count, with);
-        });
     }
     void findTurns(Table<Motion>& motions, TickRows& rows, const StepContext& context)
     {
@@ -166,9 +168,13 @@ private:
             Kernels::turns(bodiesOf(chunk, motions, rows), turns_.data(), context);
         });
     }
+    void build(const JointSystem& system, const JointTable& joints, const BodyTable& bodies,
+               const MotionTable& motions, const Islands& islands, const TickRows& rows);
+    void carryOn(const Islands& islands, const TickRows& rows);
     void color(const JointSystem& system, const MotionTable& motions);
     void place(const JointTie& tie, std::size_t slot, const JointRow& joint, const BodyTable& bodies,
                const MotionTable& motions, const Islands& islands, const TickRows& rows);
+    void placeAngle(Angle& angle, int lane, const JointRow& joint, real invInertia);
 };
 
 // Each gets the first color that none of its bodies has yet; they have fewer hinges than there are colors.
@@ -207,9 +213,22 @@ void HingeLanesOf<W>::build(const JointSystem& system, const JointTable& joints,
     const std::size_t count = colorEnds_.empty() ? 0 : colorEnds_.back();
     blocks_.assign(count, {});
     sources_.assign(count, {});
+    const auto turns = [&](std::uint32_t joint) {
+        const auto& hinge = std::get<RevoluteJoint>(joints.rows[joint].def.kind);
+        return hinge.spring || hinge.motor || hinge.limits;
+    };
+    slots_.clear();
+    for (std::size_t k = 0; k < system.hinges.size(); ++k) {
+        slots_.push_back(places_[colorOf_[k]]++);
+        if (turns(system.hinges[k].joint)) blocks_[slots_.back() / W].angle = 0;
+    }
+    std::uint32_t angles = 0;
+    for (Block& block : blocks_)
+        if (block.turns()) block.angle = angles++;
+    angles_.assign(angles, {});
     for (std::size_t k = 0; k < system.hinges.size(); ++k) {
         const JointTie& tie = system.hinges[k];
-        place(tie, places_[colorOf_[k]]++, joints.rows[tie.joint], bodies, motions, islands, rows);
+        place(tie, slots_[k], joints.rows[tie.joint], bodies, motions, islands, rows);
     }
     // An empty lane reads what its neighbor reads, and no row that another thread may be writing.
     for (Block& block : blocks_)
@@ -220,7 +239,32 @@ void HingeLanesOf<W>::build(const JointSystem& system, const JointTable& joints,
             block.group[lane] = block.group[0];
             block.island[lane] = block.island[0];
         }
-    measure(motions.rows, rows);
+}
+
+// The next step, with the same bodies and joints.
+template <int W>
+void HingeLanesOf<W>::carryOn(const Islands& islands, const TickRows& rows)
+{
+    each([&](const Run& run, std::size_t) {
+        for (std::size_t k = 0; k < run.count; ++k) {
+            Block& block = run.blocks[k];
+            Source& source = run.sources[k];
+            source.sums = {};
+            source.stiffened = 0;
+            block.oneIsland = true;
+            for (int lane = 0; lane < W; ++lane) {
+                const std::uint32_t a = block.rowA[lane], b = block.rowB[lane];
+                block.island[lane] = islandOf(islands, a, b);
+                block.oneIsland = block.oneIsland && block.island[lane] == block.island[0];
+                if ((block.active >> lane & 1u) != 0)
+                    setLane(source.start, lane, toVec2(rows.origins[b].center - rows.origins[a].center));
+            }
+            if (Angle* const angle = run.angleOf(block)) {
+                angle->sums = {};
+                for (double& work : angle->work) work = 0;
+            }
+        }
+    });
 }
 
 template <int W>
@@ -240,10 +284,11 @@ void HingeLanesOf<W>::place(const JointTie& tie, std::size_t slot, const JointRo
     block.rowB[lane] = tie.rowB;
     block.group[lane] = tie.group;
     block.island[lane] = islandOf(islands, tie.rowA, tie.rowB);
+    block.oneGroup = block.oneGroup && block.group[lane] == block.group[0];
+    block.oneIsland = block.oneIsland && block.island[lane] == block.island[0];
     block.active |= bit;
     if (a.moves()) block.movesA |= bit;
     if (b.moves()) block.movesB |= bit;
-    block.turns = block.turns || hinge.spring || hinge.motor || hinge.limits;
 
     source.joint[lane] = tie.joint;
     if (a.isDamped() || b.isDamped()) source.damped |= bit;
@@ -251,78 +296,97 @@ void HingeLanesOf<W>::place(const JointTie& tie, std::size_t slot, const JointRo
     setLane(source.localB, lane, hinge.anchorB - bodyB.localCenter);
     setLane(source.start, lane, toVec2(rows.origins[tie.rowB].center - rows.origins[tie.rowA].center));
     source.strained[lane] = joint.strainedTicks;
-    source.work[lane] = joint.stepWork;
+    source.anyStrained = source.anyStrained || joint.strainedTicks != 0;
     setDouble(source.angle, lane, joint.angle);
+    setLane(source.carried, lane, {joint.impulses[JointSlot::kBlock], joint.impulses[JointSlot::kBlock + 1]});
+    setLane(source.sums, lane, {joint.stepSums[JointSlot::kBlock], joint.stepSums[JointSlot::kBlock + 1]});
+    if (block.turns()) placeAngle(angles_[block.angle], lane, joint, bodyA.invInertia() + bodyB.invInertia());
+}
+
+// `invInertia` is the sum of those of its bodies.
+template <int W>
+void HingeLanesOf<W>::placeAngle(Angle& angle, int lane, const JointRow& joint, real invInertia)
+{
+    const auto& hinge = std::get<RevoluteJoint>(joint.def.kind);
+    const std::uint32_t bit = 1u << lane;
+    angle.work[lane] = joint.stepWork;
     if (hinge.spring) {
-        const real inverse = bodyA.invInertia() + bodyB.invInertia();
-        const real inertia = inverse > 0 ? 1 / inverse : real(0);
+        const real inertia = invInertia > 0 ? 1 / invInertia : real(0);
         const real turn = static_cast<real>(kTwoPi) * hinge.spring->frequency;
-        source.springs |= bit;
-        source.stiffness.v[lane] = inertia * turn * turn;
-        source.damping.v[lane] = 2 * hinge.spring->dampingRatio * inertia * turn;
-        setDouble(source.zero, lane, hinge.referenceAngle + static_cast<double>(hinge.spring->rest));
+        angle.springs |= bit;
+        angle.stiffness.v[lane] = inertia * turn * turn;
+        angle.damping.v[lane] = 2 * hinge.spring->dampingRatio * inertia * turn;
+        setDouble(angle.zero, lane, hinge.referenceAngle + static_cast<double>(hinge.spring->rest));
     }
     if (hinge.motor) {
-        source.motors |= bit;
-        source.speed.v[lane] = hinge.motor->speed;
-        source.strength.v[lane] = hinge.motor->maxForce;
+        angle.motors |= bit;
+        angle.speed.v[lane] = hinge.motor->speed;
+        angle.strength.v[lane] = hinge.motor->maxForce;
     }
     const auto limit = [&](int side, real at, bool has) {
         if (!has) return;
-        source.limited[side] |= bit;
-        setDouble(source.rest[side], lane, hinge.referenceAngle + static_cast<double>(at));
-        if (joint.held[side]) source.held[side] |= bit;
+        angle.limited[side] |= bit;
+        setDouble(angle.rest[side], lane, hinge.referenceAngle + static_cast<double>(at));
+        if (joint.held[side]) angle.held[side] |= bit;
     };
     if (hinge.limits) {
         limit(0, hinge.limits->lower, hinge.limits->lower > -kUnlimited);
         limit(1, hinge.limits->upper, hinge.limits->upper < kUnlimited);
     }
-    const auto take = [&](HingeImpulses<Lane<W>>& to, const real* from) {
-        setLane(to.point, lane, {from[JointSlot::kBlock], from[JointSlot::kBlock + 1]});
+    const auto set = [&](AngleImpulses<Lane<W>>& to, const real* from) {
         to.spring.v[lane] = from[JointSlot::kSpring];
         to.motor.v[lane] = from[JointSlot::kMotor];
         to.limits[0].v[lane] = from[JointSlot::kLower];
         to.limits[1].v[lane] = from[JointSlot::kUpper];
     };
-    take(source.carried, joint.impulses);
-    take(source.sums, joint.stepSums);
+    set(angle.carried, joint.impulses);
+    set(angle.sums, joint.stepSums);
 }
 
 template <int W>
-void HingeLanesOf<W>::storeAll(JointTable& joints)
+void HingeLanesOf<W>::store(const JointSystem& system, JointTable& joints)
 {
-    each([&](std::size_t first, std::size_t count) {
-        for (std::size_t slot = first * W; slot < (first + count) * W; ++slot) {
-            const Block& block = blocks_[slot / W];
-            const Source& source = sources_[slot / W];
+    stiffens_.assign(Parallel::chunksOf(blocks_.size(), kGrain), 0);
+    each([&](const Run& run, std::size_t chunk) {
+        for (std::size_t slot = 0; slot < run.count * W; ++slot) {
+            const Block& block = run.blocks[slot / W];
+            const Source& source = run.sources[slot / W];
             const auto lane = static_cast<int>(slot % W);
             if ((block.active >> lane & 1u) == 0) continue;
             JointRow& joint = joints.rows[source.joint[lane]];
-            const auto give = [&](const HingeImpulses<Lane<W>>& from, real* to) {
-                to[JointSlot::kBlock] = from.point.x.v[lane];
-                to[JointSlot::kBlock + 1] = from.point.y.v[lane];
+            const auto point = [lane](const BasicVec2<Lane<W>>& from, real* to) {
+                to[JointSlot::kBlock] = from.x.v[lane];
+                to[JointSlot::kBlock + 1] = from.y.v[lane];
+            };
+            joint.forgetLoads();
+            point(source.carried, joint.impulses);
+            point(source.sums, joint.stepSums);
+            joint.stepImpulse = laneOf(source.sums, lane);
+            joint.angle = doubleOf(source.angle, lane);
+            joint.strainedTicks = source.strained[lane];
+            if ((source.stiffened >> lane & 1u) != 0) {
+                joint.stiffSteps = kHold;
+                if (hasStiffSize(system, block.group[lane])) stiffens_[chunk] = 1;
+            }
+            joint.held[0] = joint.held[1] = false;
+            const Angle* const angle = run.angleOf(block);
+            if (angle == nullptr) continue;
+            const auto turns = [lane](const AngleImpulses<Lane<W>>& from, real* to) {
                 to[JointSlot::kSpring] = from.spring.v[lane];
                 to[JointSlot::kMotor] = from.motor.v[lane];
                 to[JointSlot::kLower] = from.limits[0].v[lane];
                 to[JointSlot::kUpper] = from.limits[1].v[lane];
             };
-            joint.forgetLoads();
-            give(source.carried, joint.impulses);
-            give(source.sums, joint.stepSums);
+            turns(angle->carried, joint.impulses);
+            turns(angle->sums, joint.stepSums);
             const real* const sums = joint.stepSums;
-            joint.stepImpulse = {sums[JointSlot::kBlock], sums[JointSlot::kBlock + 1]};
             joint.stepTurn = sums[JointSlot::kSpring] + sums[JointSlot::kMotor] + sums[JointSlot::kLower] -
                              sums[JointSlot::kUpper];
-            joint.stepWork = source.work[lane];
-            joint.angle = doubleOf(source.angle, lane);
-            joint.strainedTicks = source.strained[lane];
-            for (const int side : {0, 1}) joint.held[side] = (source.held[side] >> lane & 1u) != 0;
-            if ((source.stiffened >> lane & 1u) != 0) joint.stiffSteps = kHold;
+            joint.stepWork = angle->work[lane];
+            for (const int side : {0, 1}) joint.held[side] = (angle->held[side] >> lane & 1u) != 0;
         }
     });
-    blocks_.clear();
-    sources_.clear();
-    colorEnds_.clear();
+    if (std::find(stiffens_.begin(), stiffens_.end(), std::uint8_t{1}) != stiffens_.end()) ++joints.changes;
 }
 
 }  // namespace

@@ -41,27 +41,27 @@ TAMIAS_INLINE BasicVec2<Lane<W>> partingOf(const HingeBlock<W>& block, const Hin
 
 // The rows about the angle, one after the other; returns the greatest change of speed.
 template <int W>
-TAMIAS_INLINE Lane<W> visitTurn(HingeBlock<W>& block, HingeMotion<W>& v)
+TAMIAS_INLINE Lane<W> visitTurn(const HingeBlock<W>& block, HingeAngle<W>& angle, HingeMotion<W>& v)
 {
     using Wide = Lane<W>;
-    const Wide zero(real(0)), one(real(1)), mass = block.massTurn;
+    const Wide zero(real(0)), one(real(1)), mass = angle.massTurn;
     const LaneMask<W> moves = mass > zero;
     const Wide speed = v.b.z - v.a.z;
     const Wide spring =
-        (-block.push - block.give * (speed - mass * block.spring)) / (one + block.give * mass);
-    Wide change = spring - block.spring, most = absolute(change);
-    block.spring = spring;
+        (-angle.push - angle.give * (speed - mass * angle.spring)) / (one + angle.give * mass);
+    Wide change = spring - angle.spring, most = absolute(change);
+    angle.spring = spring;
     turnHinge(block, change, v);
 
-    const Wide wanted = block.motor - ((v.b.z - v.a.z) - block.speed) / mass;
-    const Wide motor = clamp(select(moves, wanted, block.motor), -block.most, block.most);
-    change = motor - block.motor;
+    const Wide wanted = angle.motor - ((v.b.z - v.a.z) - angle.speed) / mass;
+    const Wide motor = clamp(select(moves, wanted, angle.motor), -angle.most, angle.most);
+    change = motor - angle.motor;
     most = maximum(most, absolute(change));
-    block.motor = motor;
+    angle.motor = motor;
     turnHinge(block, change, v);
 
     for (const int side : {0, 1}) {
-        HingeLimit<Wide>& limit = block.limits[side];
+        HingeLimit<Wide>& limit = angle.limits[side];
         const Wide closing = side == 0 ? v.b.z - v.a.z : v.a.z - v.b.z;
         const Wide asked =
             limit.impulse - limit.loose * limit.impulse - limit.firm * (closing + limit.bias) / mass;
@@ -71,7 +71,7 @@ TAMIAS_INLINE Lane<W> visitTurn(HingeBlock<W>& block, HingeMotion<W>& v)
         limit.impulse = total;
         turnHinge(block, side == 0 ? change : -change, v);
     }
-    return most * mass * block.reach;
+    return most * mass * angle.reach;
 }
 
 // The point comes last: it is to hold.
@@ -94,50 +94,58 @@ TAMIAS_INLINE Lane<W> visitPoint(HingeBlock<W>& block, bool soft, HingeMotion<W>
 }
 
 template <int W>
-TAMIAS_INLINE void setImpulses(HingeBlock<W>& block, LaneMask<W> mask, const HingeImpulses<Lane<W>>& to)
+TAMIAS_INLINE void setImpulse(HingeBlock<W>& block, LaneMask<W> mask, const BasicVec2<Lane<W>>& to)
 {
-    block.impulse.x = select(mask, to.point.x, block.impulse.x);
-    block.impulse.y = select(mask, to.point.y, block.impulse.y);
-    block.spring = select(mask, to.spring, block.spring);
-    block.motor = select(mask, to.motor, block.motor);
+    block.impulse.x = select(mask, to.x, block.impulse.x);
+    block.impulse.y = select(mask, to.y, block.impulse.y);
+}
+template <int W>
+TAMIAS_INLINE void setImpulses(HingeAngle<W>& angle, LaneMask<W> mask, const AngleImpulses<Lane<W>>& to)
+{
+    angle.spring = select(mask, to.spring, angle.spring);
+    angle.motor = select(mask, to.motor, angle.motor);
     for (const int side : {0, 1})
-        block.limits[side].impulse = select(mask, to.limits[side], block.limits[side].impulse);
+        angle.limits[side].impulse = select(mask, to.limits[side], angle.limits[side].impulse);
 }
 
 template <int W>
-TAMIAS_INLINE HingeImpulses<Lane<W>> impulsesOf(const HingeBlock<W>& block)
+TAMIAS_INLINE AngleImpulses<Lane<W>> impulsesOf(const HingeAngle<W>& angle)
 {
-    return {block.impulse, block.spring, block.motor, {block.limits[0].impulse, block.limits[1].impulse}};
+    return {angle.spring, angle.motor, {angle.limits[0].impulse, angle.limits[1].impulse}};
 }
 
 // Visits the given lanes, which are some of the active ones; returns the greatest change of speed.
 template <int W>
-TAMIAS_INLINE Lane<W> visitHinges(HingeBlock<W>& block, std::uint32_t lanes, bool soft,
-                                  const VelocityRows& rows)
+TAMIAS_INLINE Lane<W> visitHinges(HingeBlock<W>& block, HingeAngle<W>* angle, std::uint32_t lanes, bool soft,
+                                  LaneRow* velocities)
 {
     using Wide = Lane<W>;
-    const ScatteredRows<std::byte> ofA{rows.first, rows.stride, block.rowA};
-    const ScatteredRows<std::byte> ofB{rows.first, rows.stride, block.rowB};
-    const HingeMotion<W> before{gatherRows<W>(ofA), gatherRows<W>(ofB)};
-    HingeMotion<W> v = before;
+    HingeMotion<W> v{gatherRows<W>(velocities, block.rowA), gatherRows<W>(velocities, block.rowB)};
     const std::uint32_t others = block.active & ~lanes;
-    HingeImpulses<Wide> old;
-    if (others != 0) old = impulsesOf(block);
+    const BasicVec2<Wide> old = block.impulse;
+    AngleImpulses<Wide> oldTurns;
     Wide most;
-    if (block.turns) most = visitTurn(block, v);
+    if (angle != nullptr) {
+        if (others != 0) oldTurns = impulsesOf(*angle);
+        most = visitTurn(block, *angle, v);
+    }
     most = maximum(most, visitPoint(block, soft, v));
 
     // Beyond all numbers: the joint lets go for this visit.
     const Wide sum = v.a.x + v.a.y + v.a.z + v.b.x + v.b.y + v.b.z;
     const LaneMask<W> wild = !isEqual(sum - sum, Wide(real(0)));
     if (any(wild)) {
-        setImpulses(block, wild, HingeImpulses<Wide>{});
+        setImpulse(block, wild, {});
+        if (angle != nullptr) setImpulses(*angle, wild, {});
         most = select(wild, Wide(real(0)), most);
         lanes &= ~bitsOf(wild);
     }
-    if (others != 0) setImpulses(block, maskOf<W>(others), old);
-    scatterRows<W>(v.a, ofA, lanes & block.movesA);
-    scatterRows<W>(v.b, ofB, lanes & block.movesB);
+    if (others != 0) {
+        setImpulse(block, maskOf<W>(others), old);
+        if (angle != nullptr) setImpulses(*angle, maskOf<W>(others), oldTurns);
+    }
+    scatterRows<W>(v.a, velocities, block.rowA, lanes & block.movesA);
+    scatterRows<W>(v.b, velocities, block.rowB, lanes & block.movesB);
     return most;
 }
 

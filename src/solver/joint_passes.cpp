@@ -83,8 +83,14 @@ void passOverJoints(const JointWorld& world, JointSystem& system, real restless,
     const auto isVisited = [&](const JointRows& joint) {
         return visited == nullptr || visited[islandOf(joint)] != 0;
     };
-    if (!world.hinges.empty())
-        world.hinges.pass(world.motions.rows, world.rows, visited, unrest.data(), restless, world.context);
+    if (!world.hinges.empty()) {
+        if (visited == nullptr)
+            world.hinges.firstPass(world.motions.rows, world.rows, system.wholeGroups, unrest.data(),
+                                   restless, world.context);
+        else
+            world.hinges.pass(world.motions.rows, world.rows, visited, unrest.data(), restless,
+                              world.context);
+    }
     for (JointRows& joint : system.joints) {
         if (!isVisited(joint) || system.piledGroups[joint.group]) continue;
         if (visited != nullptr) aim(world, velocities, joint);
@@ -299,37 +305,26 @@ bool softenThrown(const JointWorld& world, JointSystem& system, const Table<Lane
     return thrown;
 }
 
-void settleJoints(JointSystem& system, HingeLanes& hinges, Table<Motion>& rows, Table<TickChange>& changes,
+void settleJoints(JointSystem& system, HingeLanes& hinges, const Table<Motion>& rows, TickRows& lanes,
                   const StepContext& context)
 {
     const real restless = context.tuning.restless * context.lengthUnit;
-    std::vector<BodyMotion<real>>& old = system.before;
-    old.resize(rows.size());
-    for (std::size_t i = 0; i < rows.size(); ++i) old[i] = velocityOf(rows[i]);
     std::vector<std::uint8_t>&unrest = system.unrest, &visited = system.unrestBefore;
     const std::size_t groups = system.wholeGroups.size();
     visited.assign(groups, 1);
     for (int pass = 0; pass <= context.tuning.extraPasses; ++pass) {
         unrest.assign(groups, 0);
         if (!hinges.empty())
-            hinges.settlingPass(rows, pass == 0 ? nullptr : visited.data(), unrest.data(), restless);
+            hinges.settlingPass(lanes, pass == 0 ? nullptr : visited.data(), unrest.data(), restless);
         for (JointRows& joint : system.joints) {
             if (system.stiffGroups[joint.group] || visited[joint.group] == 0) continue;
-            if (visit(joint, rows, rows) > restless) unrest[joint.group] = 1;
+            if (visit(joint, rows, lanes.velocities) > restless) unrest[joint.group] = 1;
         }
         visited.swap(unrest);
         if (std::find(visited.begin(), visited.end(), std::uint8_t{1}) == visited.end()) break;
     }
-    for (std::size_t d = 0; d < system.directCount; ++d) visitGroup(system.direct[d], system, rows, rows);
-    for (std::size_t i = 0; i < rows.size(); ++i) {
-        if (system.groupOf[i] == JointSystem::kNone) continue;
-        const Vec2 change = rows[i].velocity - old[i].velocity;
-        const real turn = rows[i].spin - old[i].spin;
-        changes[i].velocity += change;
-        changes[i].spin += turn;
-        rows[i].steady += change;
-        rows[i].steadySpin += turn;
-    }
+    for (std::size_t d = 0; d < system.directCount; ++d)
+        visitGroup(system.direct[d], system, rows, lanes.velocities);
 }
 
 }  // namespace tamias2d::inline TAMIAS_PRECISION

@@ -53,9 +53,8 @@ bool mayThrow(const JointSystem& system);
 bool softenThrown(const JointWorld& world, JointSystem& system, const Table<LaneRow>& before,
                   Table<LaneRow>& after);
 
-/// After the second kick: what is tied together does not go on moving apart. Adds what that changes to
-/// `changes` and to `steady`.
-void settleJoints(JointSystem& system, HingeLanes& hinges, Table<Motion>& rows, Table<TickChange>& changes,
+/// After the second kick: what is tied together does not go on moving apart. Changes lanes.velocities.
+void settleJoints(JointSystem& system, HingeLanes& hinges, const Table<Motion>& rows, TickRows& lanes,
                   const StepContext& context);
 
 }  // namespace tamias2d::inline TAMIAS_PRECISION

@@ -30,7 +30,8 @@ void enter(ImpactStage& stage, std::uint32_t body, const StepContext& context)
     lanes.poses.push_back(poseRow(rows.back(), rows.back().center));
     for (Table<LaneRow>* each : {&lanes.starts, &lanes.velocities})
         each->push_back(laneRow(velocityOf(rows.back())));
-    for (Table<LaneRow>* each : {&lanes.steady, &lanes.expected, &lanes.loads, &lanes.pushes, &lanes.spans})
+    for (Table<LaneRow>* each :
+         {&lanes.steady, &lanes.expected, &lanes.loads, &lanes.turned, &lanes.pushes, &lanes.spans})
         each->resize(rows.size());
 }
 
@@ -95,7 +96,7 @@ void rouse(ImpactStage& stage, std::uint32_t group, const StepContext& context, 
     bringInPartners(stage, sleepers, context);
     for (std::size_t row = first; row < motions.rows.size(); ++row)
         takeSteady(motions.rows[row], stage.rows.steady[row]);
-    stage.hinges.storeAll(stage.joints);
+    stage.hinges.store(stage.system, stage.joints);
     bringInJoints(stage.joints, stage.world.bodies, motions, stage.system, first);
     for (std::size_t row = first; row < motions.rows.size(); ++row) {
         Motion& m = motions.rows[row];

@@ -16,42 +16,22 @@ namespace tamias2d::inline TAMIAS_PRECISION {
 namespace {
 
 // What joints carry, beside what contacts do; what is tied to a loaded body is loaded, too.
-void addSteadyOfJoints(SolverStage& stage, TickRows& lanes)
+void addSteadyOfJoints(SolverStage& stage, TickRows& lanes, bool inertiasAreSame)
 {
-    Table<Motion>& rows = stage.motions.rows;
-    for (std::size_t i = 0; i < rows.size(); ++i) takeSteady(rows[i], lanes.steady[i]);
-    addSteadyJoints(stage.joints, stage.system, rows);
-    stage.scratch.hinges().addSteady(rows);
-    spreadLoad(stage.system, rows);
-    for (std::size_t i = 0; i < rows.size(); ++i) lanes.steady[i] = steadyRow(rows[i]);
-}
-
-// What the passes made of the velocities, for what joints tie.
-void storeJointed(SolverStage& stage, const TickRows& lanes)
-{
-    for (std::size_t i = 0; i < stage.motions.rows.size(); ++i)
-        if (stage.system.groupOf[i] != JointSystem::kNone)
-            setVelocity(stage.motions.rows[i], velocityOf(lanes.velocities[i]));
+    const Table<Motion>& rows = stage.motions.rows;
+    addSteadyJoints(stage.joints, stage.system, rows, lanes.steady);
+    stage.scratch.hinges().addSteady(rows, lanes, inertiasAreSame);
+    spreadLoad(stage.system, lanes.steady);
 }
 
 // The joints at their new places: for what is halved, the second half of what they carry turns with them.
-void turnJoints(SolverStage& stage, Table<TickChange>& changes, const StepContext& context)
+void turnJoints(SolverStage& stage, TickRows& lanes, const StepContext& context)
 {
-    Table<Motion>& rows = stage.motions.rows;
-    const auto note = [&](real sign) {
-        for (std::size_t i = 0; i < rows.size(); ++i) {
-            if (!stage.system.isHalved(i)) continue;
-            changes[i].velocity += sign / 2 * rows[i].steady;
-            changes[i].spin += sign / 2 * rows[i].steadySpin;
-        }
-    };
-    HingeLanes& hinges = stage.scratch.hinges();
+    const Table<Motion>& rows = stage.motions.rows;
+    tallyJoints(stage.joints, stage.system, rows, lanes.velocities);
     measureJoints(stage.joints, stage.world.bodies, stage.motions, stage.system);
-    hinges.measure(rows, stage.scratch.rows);
-    note(-1);
-    turnSteadyJoints(stage.system, rows, context);
-    hinges.settle(rows, context);
-    note(1);
+    turnSteadyJoints(stage.system, rows, lanes.turned, context);
+    stage.scratch.hinges().settle(rows, lanes, context);
 }
 
 // Those that are in no lanes yet, or no more: what may become a pile is not, as all of that is solved at
@@ -59,20 +39,26 @@ void turnJoints(SolverStage& stage, Table<TickChange>& changes, const StepContex
 void seatJoints(SolverStage& stage)
 {
     JointSystem& system = stage.system;
+    TickRows& lanes = stage.scratch.rows;
     const std::size_t measured = system.joints.size();
     stage.scratch.passes.pile(stage.contacts, stage.motions, system);
     measureJoints(stage.joints, stage.world.bodies, stage.motions, system, measured);
-    if (!stage.scratch.hinges().empty() || !system.hinges.empty())
-        stage.scratch.hinges().build(system, stage.joints, stage.world.bodies, stage.motions, stage.islands,
-                                     stage.scratch.rows);
+    HingeLanes& hinges = stage.scratch.hinges();
+    if (!hinges.empty() || !system.hinges.empty())
+        hinges.take(system, stage.joints, stage.world.bodies, stage.motions, stage.islands, lanes);
+    if (system.empty()) return;
+    lanes.turned.resize(stage.motions.rows.size());
+    for (std::size_t i = 0; i < lanes.turned.size(); ++i)
+        lanes.turned[i] = {0, 0, 0, system.isTied(i) ? real(1) : real(0)};
 }
 
-void guard(SolverStage& stage, const StepContext& context)
+// Returns whether all bodies have the moments of inertia that they had in the tick before.
+bool guard(SolverStage& stage, const StepContext& context)
 {
     JointSystem& system = stage.system;
     system.pull.assign(stage.motions.rows.size(), 0);
     stage.scratch.hinges().addPull(system.pull);
-    guardLightBodies(stage.joints, stage.world.bodies, system, stage.motions.rows, context);
+    return !guardLightBodies(stage.joints, system, stage.motions.rows, context);
 }
 
 // Which bodies impacts have hit in this tick.
@@ -80,16 +66,19 @@ void markHits(SolverStage& stage)
 {
     const Table<ImpactKick>& kicks = stage.scratch.rows.kicks;
     stage.system.hit.assign(stage.motions.rows.size(), 0);
+    stage.system.anyHit = stage.scratch.impacts.kicked;
+    if (!stage.system.anyHit) return;
     for (std::size_t i = 0; i < kicks.size(); ++i)
         stage.system.hit[i] = kicks[i].before != Vec2{} || kicks[i].after != Vec2{};
 }
 
-// Which groups of joints have a contact in this tick.
+// Which groups of joints have a contact in this tick: for those that may be projected.
 void markTouched(SolverStage& stage)
 {
     JointSystem& system = stage.system;
     const Table<PairRow>& pairs = stage.scratch.impacts.pairs;  // those that came in within the step, too
     system.touchedGroups.assign(system.wholeGroups.size(), 0);
+    if (!mayProject(system)) return;
     for (std::size_t i = 0; i < pairs.size(); ++i) {
         const std::uint32_t a = system.groupOf[pairs[i].rowA], b = system.groupOf[pairs[i].rowB];
         if (a == b && a == JointSystem::kNone) continue;
@@ -133,15 +122,12 @@ void passOver(SolverStage& stage, const JointWorld& world)
     SolverScratch& scratch = stage.scratch;
     Table<LaneRow>& velocities = scratch.rows.velocities;
     const bool isWatched = mayThrow(stage.system);
-    if (!stage.system.empty()) scratch.before = velocities;
+    if (mayProject(stage.system)) scratch.before = velocities;
     stage.system.thrownGroups.assign(stage.system.wholeGroups.size(), 0);
     if (isWatched) scratch.passes.keep(stage.contacts);
     for (;;) {
-        if (!stage.system.empty()) {
+        if (!stage.system.empty())
             startJoints(stage.joints, stage.world.bodies, stage.motions, world.context, stage.system);
-            if (!world.hinges.empty())
-                world.hinges.start(stage.motions.rows, scratch.rows, stage.system.wholeGroups, world.context);
-        }
         scratch.passes.solve(stage.contacts, stage.motions, scratch.rows, world.context, &world,
                              &stage.system);
         if (!isWatched || !softenThrown(world, stage.system, scratch.before, velocities)) return;
@@ -162,9 +148,34 @@ std::uint32_t driftAll(SolverStage& stage, const StepContext& context, bool push
     std::atomic<std::uint32_t> clamped = 0;
     scratch.visited.forEach(stage.parallel, rows, scratch.rows, [&](const BodyRows& run) {
         scratch.bodies().drift(run, context, kicked, pushed);
-        if (together) clamped += scratch.bodies().kickAfterDrift(run, context, kicked);
+        if (together) clamped += scratch.bodies().kickAfterDrift(run, context, kicked, false);
     });
     return clamped;
+}
+
+// The rest of the kick where not all is done together; returns how many bodies were too fast.
+std::uint32_t kickAfterDrift(SolverStage& stage, const StepContext& context, bool jointed)
+{
+    SolverScratch& scratch = stage.scratch;
+    std::atomic<std::uint32_t> clamped = 0;
+    scratch.visited.forEach(stage.parallel, stage.motions.rows, scratch.rows, [&](const BodyRows& run) {
+        clamped += scratch.bodies().kickAfterDrift(run, context, scratch.impacts.kicked, jointed);
+    });
+    return clamped;
+}
+
+// After it: joints once more, and what they carry on.
+void settle(SolverStage& stage, const StepContext& context)
+{
+    SolverScratch& scratch = stage.scratch;
+    JointSystem& system = stage.system;
+    Table<Motion>& rows = stage.motions.rows;
+    settleJoints(system, scratch.hinges(), rows, scratch.rows, context);
+    scratch.visited.forEach(stage.parallel, rows, scratch.rows,
+                            [&](const BodyRows& run) { scratch.bodies().takeSettled(run); });
+    tallyJoints(stage.joints, system, rows, scratch.rows.velocities);
+    keepJoints(stage.joints, system, context);
+    scratch.hinges().keep(system.anyHit ? system.hit.data() : nullptr, scratch.rows, context);
 }
 
 void calm(SolverStage& stage, const StepContext& context)
@@ -245,9 +256,9 @@ SolverCounts solve(SolverStage& stage, const StepContext& context)
         resweepForTick(impacts, context);
         span.next("warm start");
         bool hasJoints = !stage.system.empty();
-        if (hasJoints) guard(stage, context);
+        const bool inertiasAreSame = hasJoints && guard(stage, context);
         scratch.passes.prepare(stage.contacts, stage.motions, lanes, context);
-        if (hasJoints) addSteadyOfJoints(stage, lanes);
+        if (hasJoints) addSteadyOfJoints(stage, lanes, inertiasAreSame);
         startTick(impacts, context, tick);
         span.next("impacts");
         applyImpacts(impacts, context, tick);
@@ -270,12 +281,7 @@ SolverCounts solve(SolverStage& stage, const StepContext& context)
         passOver(stage, jointWorld);
         scratch.passes.finish(stage.contacts, stage.motions, lanes, &jointWorld, &stage.system);
         recordPassHits(impacts, context, tick);
-        if (hasJoints) {
-            settleLost(jointWorld, stage.system, scratch.before, lanes.velocities);
-            storeJointed(stage, lanes);
-            tallyJoints(stage.joints, stage.system, rows);
-            hinges.tally(rows);
-        }
+        if (hasJoints) settleLost(jointWorld, stage.system, scratch.before, lanes.velocities);
         if (tick == 0) {
             lanes.pushes.assign(rows.size(), {});
             scratch.passes.pushApart(stage.contacts, stage.motions, lanes, context, counts.clamps,
@@ -285,20 +291,13 @@ SolverCounts solve(SolverStage& stage, const StepContext& context)
         span.next("drift");
         const bool together = !varies && !hasJoints;
         counts.clamps.speed += driftAll(stage, context, tick == 0, together);
-        if (hasJoints) turnJoints(stage, lanes.changes, context);
+        if (hasJoints) turnJoints(stage, lanes, context);
         if (varies)
             counts.lawFaults += accelerateAfterDrift(stage, context, time + context.dt / context.ticks);
-        if (!together)
-            for (const auto [begin, end] : scratch.visited.chunks(rows.size()))
-                counts.clamps.speed += scratch.bodies().kickAfterDrift({rows.data(), lanes, begin, end},
-                                                                       context, scratch.impacts.kicked);
+        if (!together) counts.clamps.speed += kickAfterDrift(stage, context, hasJoints);
         if (hasJoints) {
             span.next("joints");
-            settleJoints(stage.system, hinges, rows, lanes.changes, context);
-            tallyJoints(stage.joints, stage.system, rows);
-            hinges.tally(rows);
-            keepJoints(stage.joints, stage.system, context);
-            hinges.keep(stage.system.hit, context);
+            settle(stage, context);
         }
         span.next("calm");
         calm(stage, context);
@@ -308,8 +307,8 @@ SolverCounts solve(SolverStage& stage, const StepContext& context)
     scratch.passes.endPiles(stage.contacts, stage.motions, context);
     counts.piles = static_cast<std::uint32_t>(scratch.passes.piles().count());
     counts.pileFallbacks = scratch.passes.piles().fallbacks();
-    hinges.storeAll(stage.joints);
-    if (!stage.system.empty()) releaseGuard(stage.world.bodies, rows);
+    hinges.store(stage.system, stage.joints);
+    releaseGuard(stage.system, rows);
     scratch.passes.end(stage.contacts);
     endSweeps(impacts);
     return counts;

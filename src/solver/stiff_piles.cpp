@@ -249,6 +249,7 @@ void StiffPiles::fill(std::size_t first, ContactTable& contacts, JointSystem& jo
         piles_[pile].group.joints.push_back(j);
         joints.piledGroups[joint.group] = 1;
         joint.rigidly = true;
+        joints.isAltered = true;
     }
 }
 
@@ -329,6 +330,7 @@ real StiffPiles::disband(StiffPile& pile, ContactTable& contacts, const JointWor
         JointRows& joint = joints.joints[group.joints[k]];
         joint = kept_[k];
         joints.piledGroups[joint.group] = 0;
+        joints.isAltered = true;
         for (std::size_t d = joints.directCount; joints.stiffGroups[joint.group] && d-- > 0;)
             if (joints.joints[joints.direct[d].joints.front()].group == joint.group) soften(joints, d);
         joint.rigidly = false;

@@ -61,6 +61,8 @@ struct TickRows {
     Table<LaneRow> steady;  // Motion::steady [m/s], steadySpin [rad/s]; w is 1 where a load is
     Table<LaneRow> expected;  // accelerations of a flight [m/s^2], [rad/s^2]; w: see fastestPoint
     Table<LaneRow> loads;  // Motion::steady [m/s], Motion::acceleration [m/s^2], as the tick begins
+    Table<LaneRow>
+        turned;  // steady after the drift, of what joints alone hold; w is 1 where joints tie, else 0
     Table<LaneRow> pushes;  // displacements, as velocities over a tick [m/s], [rad/s]
     Table<TickChange> changes;
     Table<ImpactKick> kicks;

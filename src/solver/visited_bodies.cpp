@@ -28,7 +28,7 @@ std::uint32_t fly(const BodyChunk& chunk, const BodyKernels& kernels, Table<Moti
     for (int tick = 0; tick < ticks; ++tick) {
         kernels.kick(bodies, context, false);
         kernels.drift(bodies, context, false, false);
-        clamped += kernels.kickAfterDrift(bodies, context, false);
+        clamped += kernels.kickAfterDrift(bodies, context, false, false);
     }
     return clamped;
 }

@@ -146,6 +146,7 @@ void Body::setEnabled(bool enabled)
     if (!w || enabled == b.enabled) return;
     World::Impl& impl = *w->impl_;
     impl.disturb(id_.index);
+    ++impl.joints.changes;
     impl.tally(b, false);
     b.enabled = enabled;
     impl.tally(b, true);

@@ -211,6 +211,7 @@ void World::Impl::moveCenter(std::uint32_t slot, Position origin, Vec2 before, V
 {
     BodyRow& b = bodies.rows[slot];
     pairsAreCurrent = false;
+    ++joints.changes;
     b.localCenter = center;
     b.center = origin + toDVec2(rotate(b.rotation, center));
     b.velocity += cross(b.spin, rotate(b.rotation, center - before));

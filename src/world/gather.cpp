@@ -44,7 +44,7 @@ void predictSteady(const ContactTable& contacts, const BodyTable& bodies, const 
                    const JointTable& joints, const JointSystem& system, MotionTable& motions,
                    const StepContext& context)
 {
-    addSteadyJoints(joints, system, motions.rows);
+    addSteadyJoints(joints, system, motions.rows, 0);
     addSteadyHinges(joints, bodies, system, motions.rows, 0);
     Motion still;
     for (const Contact& c : contacts.rows) {

@@ -30,6 +30,7 @@ JointId World::Impl::createJoint(const JointDef& def, std::uint32_t layout)
 void World::Impl::disturbJoint(std::uint32_t slot)
 {
     uncoupledIsStale = true;
+    ++joints.changes;
     joints.rows[slot].eachBody([&](std::uint32_t body) {
         bodies.beginStillness(bodies.rows[body]);
         wake(body);

@@ -142,6 +142,7 @@ void World::Impl::breakJoints()
         joint.def.enabled = false;
         joint.broken = true;
         uncoupledIsStale = true;
+        ++joints.changes;
         joint.forgetLoads();
         breaks.push_back({joints.ids.id(slot), joint.def.bodyA, joint.def.bodyB, reading.force,
                           reading.torque, reading.error});

@@ -132,6 +132,138 @@ TEST(Kept, NothingOutlivesWhatItIsOf)
     }
 }
 
+// A net of hinges above the ground that a disc flies through, a chain whose load is uneven, a rope, and
+// hinges that have all there is about the angle, some of which come down on the ground.
+std::vector<Joint> addJointed(World& world)
+{
+    std::vector<Joint> joints;
+    const auto hinge = [&](Body a, Body b, Vec2 onA, Vec2 onB) -> RevoluteJoint {
+        RevoluteJoint kind;
+        kind.anchorA = onA;
+        kind.anchorB = onB;
+        JointDef def;
+        def.bodyA = a.id();
+        def.bodyB = b.id();
+        def.kind = kind;
+        joints.push_back(world.createJoint(def));
+        return kind;
+    };
+    const Body ground = addGround(world, 0, 400);
+    std::vector<Body> net;
+    constexpr int kSide = 6;
+    for (int row = 0; row < kSide; ++row) {
+        for (int column = 0; column < kSide; ++column) {
+            net.push_back(addDisc(world, {1.0 * column, 20 - 1.0 * row}, 0.3));
+            if (column > 0) hinge(net[net.size() - 2], net.back(), vec(0.5, 0), vec(-0.5, 0));
+            if (row > 0) hinge(net[net.size() - 1 - kSide], net.back(), vec(0, -0.5), vec(0, 0.5));
+        }
+    }
+    hinge(ground, net[0], vec(0, 21), vec(0, 0.5));
+    hinge(ground, net[kSide - 1], vec(kSide - 1, 21), vec(0, 0.5));
+    addDisc(world, {-6, 16}, 0.5, {.velocity = vec(9, 4), .density = 4});
+
+    Body link = ground;
+    for (int i = 0; i < 8; ++i) {
+        const Body next = addBox(world, {30.0 + i, 20}, 1, 0.2, {.density = i == 7 ? 80.0 : 1.0});
+        hinge(link, next, i == 0 ? vec(29.5, 20.5) : vec(0.5, 0), vec(-0.5, 0));
+        link = next;
+    }
+    for (int i = 0; i < 4; ++i) {
+        const double x = -30 - 5 * i, y = i < 2 ? 30 : 1.5;
+        Body middle = addBox(world, {x, y}, 1, 0.3);
+        for (const double side : {-1.0, 1.0}) {
+            const Body arm = addBox(world, {x + side, y}, 1, 0.3);
+            RevoluteJoint kind = hinge(middle, arm, vec(0.5 * side, 0), vec(-0.5 * side, 0));
+            kind.spring = JointSpring{3, toReal(0.2), toReal(0.3)};
+            kind.motor = JointMotor{toReal(side), 4};
+            kind.limits = JointLimits{toReal(-0.5), toReal(0.7)};
+            joints.back().setKind(kind);
+        }
+        middle.setAngularVelocity(2);
+    }
+    return joints;
+}
+
+// A joint that is given what it has makes the world list all of them anew; its bodies wake, and so they do in
+// the other world.
+TEST(Kept, JointsInTheirListsAndLanesGiveTheBitsOfListingThemAnew)
+{
+    TRACES("NFR1", "ADR6", "ADR27", "ADR30");
+    for (const int every : {1, 7}) {
+        World keeps(restless()), renews(restless());
+        const std::vector<Joint> kept = addJointed(keeps);
+        std::vector<Joint> joints = addJointed(renews);
+        for (int i = 0; i < 400; ++i) {
+            const std::size_t at = static_cast<std::size_t>(i) % joints.size();
+            if (i % every == 0) {
+                joints[at].setKind(joints[at].kind());
+                keeps.body(kept[at].bodyA()).wake();
+                keeps.body(kept[at].bodyB()).wake();
+            }
+            keeps.step();
+            renews.step();
+            if (i % 50 != 0) continue;
+            ASSERT_EQ(keeps.stateHash(), renews.stateHash()) << "step " << i << ", anew every " << every;
+            EXPECT_EQ(keeps.validate(), std::vector<std::string>{}) << "step " << i;
+        }
+        EXPECT_EQ(keeps.stateHash(), renews.stateHash()) << "anew every " << every;
+    }
+}
+
+// What hangs by a hinge knows what becomes of it, of its bodies and of their masses.
+TEST(Kept, HingesFollowWhatChangesAboutThem)
+{
+    TRACES("R3", "R7", "ADR27", "ADR30");
+    struct Case {
+        const char* what;
+        void (*act)(World&, Body arm, Joint joint);
+        double turns, falls;  // more than [rad], [m]
+    };
+    const Case cases[] = {
+        {"nothing", [](World&, Body, Joint) {}, 0, 0},
+        {"a joint that is disabled", [](World&, Body, Joint joint) { joint.setEnabled(false); }, 0, 1},
+        {"a joint that is gone", [](World& world, Body, Joint joint) { world.destroyJoint(joint.id()); }, 0,
+         1},
+        {"a motor",
+         [](World&, Body, Joint joint) {
+             RevoluteJoint kind = std::get<RevoluteJoint>(joint.kind());
+             kind.motor = JointMotor{1, 1000};
+             joint.setKind(kind);
+         },
+         0.2, 0},
+        {"a center of mass beside the anchors",
+         [](World&, Body arm, Joint) {
+             arm.setMass({.mass = arm.mass(), .center = vec(0.5, 0), .inertia = arm.inertia()});
+         },
+         0.2, 0},
+    };
+    for (const Case& each : cases) {
+        World world(restless());
+        const Body ground = addGround(world, -20, 40);
+        std::vector<Body> arms;
+        std::vector<Joint> joints;
+        for (int i = 0; i < 12; ++i) {
+            arms.push_back(addBox(world, {0, -0.5 - i}, 0.2, 1));
+            JointDef def;
+            def.bodyA = i == 0 ? ground.id() : arms[arms.size() - 2].id();
+            def.bodyB = arms.back().id();
+            RevoluteJoint kind;
+            kind.anchorA = i == 0 ? vec(0, 20.5) : vec(0, -0.5);
+            kind.anchorB = vec(0, 0.5);
+            def.kind = kind;
+            joints.push_back(world.createJoint(def));
+        }
+        for (int i = 0; i < 60; ++i) world.step();
+        const double angle = arms.back().angle(), height = arms.back().position().y;
+        each.act(world, arms.back(), joints.back());
+        for (int i = 0; i < 30; ++i) world.step();
+        const double turned = std::abs(std::remainder(arms.back().angle() - angle, 2 * kPi));
+        EXPECT_EQ(turned > 0.2, each.turns > 0) << each.what << ": turned " << turned << " rad";
+        EXPECT_EQ(height - arms.back().position().y > 1, each.falls > 0) << each.what;
+        EXPECT_EQ(world.validate(), std::vector<std::string>{}) << each.what;
+    }
+}
+
 // Set down again and again by less than what would be noticed at once, it has gone a long way in the end.
 TEST(Kept, SmallMovesAddUp)
 {

@@ -41,7 +41,7 @@ public:
         kickSecond();
     }
     void kickFirst() { kernels_.kick(all(), context_, false); }
-    void kickSecond() { kernels_.kickAfterDrift(all(), context_, false); }
+    void kickSecond() { kernels_.kickAfterDrift(all(), context_, false, false); }
     template <class Change>
     void change(Change make)
     {
