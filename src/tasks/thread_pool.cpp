@@ -3,6 +3,7 @@
 
 #if TAMIAS_HAS_THREADS
 
+#include <cstdint>
 #include <system_error>
 
 namespace tamias2d::inline TAMIAS_PRECISION {
@@ -40,11 +41,14 @@ void Gate::notify(int threads)
     }
 }
 
-ThreadPool::ThreadPool(int threads) : begun_(looksOf(threads)), finished_(looksOf(threads))
+ThreadPool::ThreadPool(int threads)
+    : shareCount_(static_cast<std::size_t>(threads)), shares_(std::make_unique<Share[]>(shareCount_)),
+      begun_(looksOf(threads)), finished_(looksOf(threads))
 {
     workers_.reserve(static_cast<std::size_t>(threads - 1));
     const auto start = [&] {
-        while (static_cast<int>(workers_.size()) + 1 < threads) workers_.emplace_back([this] { work(); });
+        while (static_cast<int>(workers_.size()) + 1 < threads)
+            workers_.emplace_back([this, thread = workers_.size() + 1] { work(thread); });
     };
 #if TAMIAS_HAS_EXCEPTIONS
     try {  // with fewer, if no more are to be had: the results are the same
@@ -58,7 +62,7 @@ ThreadPool::ThreadPool(int threads) : begun_(looksOf(threads)), finished_(looksO
 
 ThreadPool::~ThreadPool()
 {
-    untaken_.store(kStop);
+    stop_.store(true);
     begun_.notify(threads());
     for (std::thread& worker : workers_) worker.join();
 }
@@ -67,40 +71,56 @@ void ThreadPool::run(Task& task, int parts)
 {
     if (parts <= 0) return;
     task_ = &task;
-    parts_ = parts;
     unfinished_.store(parts);
-    untaken_.store(parts);  // from here on others take
+    const int count = threads();
+    for (int i = 0, begin = 0; i < count; ++i) {
+        Share& share = shares_[static_cast<std::size_t>(i)];
+        share.end = static_cast<int>(static_cast<std::int64_t>(parts) * (i + 1) / count);
+        share.untaken.store(share.end - begin);  // from here on others take
+        begin = share.end;
+    }
     begun_.notify(parts - 1);
-    doParts();
+    doParts(0);
     finished_.await([this] { return unfinished_.load() == 0; });
 }
 
-void ThreadPool::work()
+bool ThreadPool::hasUntaken() const
+{
+    for (std::size_t i = 0; i < shareCount_; ++i)
+        if (shares_[i].untaken.load() > 0) return true;
+    return false;
+}
+
+void ThreadPool::work(std::size_t thread)
 {
     for (;;) {
-        begun_.await([this] { return untaken_.load() != 0; });
-        if (untaken_.load() == kStop) return;
-        doParts();
+        begun_.await([this] { return stop_.load() || hasUntaken(); });
+        if (stop_.load()) return;
+        doParts(thread);
     }
 }
 
 // A thread that comes late may find the parts of a later run, and takes one of those as well.
-bool ThreadPool::takePart(int& part)
+bool ThreadPool::takePart(std::size_t of, int& part)
 {
-    int left = untaken_.load();
+    Share& share = shares_[of];
+    int left = share.untaken.load();
     do {
         if (left <= 0) return false;
-    } while (!untaken_.compare_exchange_weak(left, left - 1));
-    part = parts_ - left;
+    } while (!share.untaken.compare_exchange_weak(left, left - 1));
+    part = share.end - left;
     return true;
 }
 
-void ThreadPool::doParts()
+void ThreadPool::doParts(std::size_t thread)
 {
-    int part = 0;
-    while (takePart(part)) {
-        task_->run(part);
-        if (unfinished_.fetch_sub(1) == 1) finished_.notify(1);
+    for (std::size_t i = 0; i < shareCount_; ++i) {
+        const std::size_t share = thread + i < shareCount_ ? thread + i : thread + i - shareCount_;
+        int part = 0;
+        while (takePart(share, part)) {
+            task_->run(part);
+            if (unfinished_.fetch_sub(1) == 1) finished_.notify(1);
+        }
     }
 }
 

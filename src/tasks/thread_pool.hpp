@@ -7,6 +7,8 @@
 
 #include <atomic>
 #include <condition_variable>
+#include <cstddef>
+#include <memory>
 #include <mutex>
 #include <thread>
 #include <vector>
@@ -45,7 +47,9 @@ private:
     static void breathe();
 };
 
-/// The built-in task system: threads that are started once and kept.
+/// The built-in task system: threads that are started once and kept. Neighboring parts are offered to the
+/// same thread run after run, as what they work on may still be in the cache of its processor; who is done
+/// with his share helps others.
 class ThreadPool final : public TaskSystem {
 public:
     /// With the calling thread as one of them; fewer if the system gives no more.
@@ -57,18 +61,24 @@ public:
     void run(Task& task, int parts) override;
 
 private:
-    static constexpr int kStop = -1;
+    // Of a run, by thread.
+    struct alignas(64) Share {
+        std::atomic<int> untaken{0};  // parts of it that nobody has taken yet
+        int end = 0;  // after its last part
+    };
 
-    Task* task_ = nullptr;  // whoever has taken a part may read this and the next
-    int parts_ = 0;
-    std::atomic<int> untaken_{0};  // parts that nobody has taken yet; or kStop
+    Task* task_ = nullptr;  // whoever has taken a part may read this
+    const std::size_t shareCount_;
+    std::unique_ptr<Share[]> shares_;
+    std::atomic<bool> stop_{false};
     std::atomic<int> unfinished_{0};  // parts
     Gate begun_, finished_;
     std::vector<std::thread> workers_;
 
-    void work();
-    bool takePart(int& part);
-    void doParts();
+    void work(std::size_t thread);
+    bool takePart(std::size_t share, int& part);
+    void doParts(std::size_t thread);
+    bool hasUntaken() const;
 };
 
 }  // namespace tamias2d::inline TAMIAS_PRECISION
