@@ -101,20 +101,24 @@ real parabolaTime(const Contact& c, int k, const ImpactPoint& point, const Closi
     const real offset = dot(n, fb.offset - fa.offset) + point.turnB * fb.turned - point.turnA * fa.turned;
     const auto [speed, push] = closing;
 
-    // Anchors of a turning body run on circles: counts for the time, not for the speed.
+    const real start = pair.start();
+    real gap = point.gap + offset + speed * start + push * start * start / 2, rate = speed + push * start;
+
+    // Anchors of a turning body run on circles: counts for the time, not for the speed. They have turned
+    // since the point was placed: with the two at the start of the search, else at the start of the tick.
     real bend = push;
     const bool turns = (absolute(fa.spin) + absolute(fb.spin)) * context.h >= real(0.05);
     if (turns && !c.atImpact) {
-        const Vec2 coreA = rotate(pair.a.rotation, c.points[k].anchor.localA);
-        const Vec2 coreB = rotate(pair.b.rotation, c.points[k].anchor.localB);
-        bend += fa.spin * fa.spin * dot(n, coreA) - fb.spin * fb.spin * dot(n, coreB);
+        const real coreA = dot(n, rotate(pair.a.rotation, c.points[k].anchor.localA));
+        const real coreB = dot(n, rotate(pair.b.rotation, c.points[k].anchor.localB));
+        bend += fa.spin * fa.spin * coreA - fb.spin * fb.spin * coreB;
+        if (!normalTurns(c, c.points[k].anchor)) {
+            const real turnedA = fa.turnAt(start), turnedB = fb.turnAt(start);
+            gap += (turnedA * turnedA * coreA - turnedB * turnedB * coreB) / 2;
+            rate += turnedA * fa.spin * coreA - turnedB * fb.spin * coreB;
+        }
     }
 
-    // What turns with the two was placed at the start of the search, else at the start of the tick.
-    const real start = pair.start();
-    const real before = normalTurns(c, c.points[k].anchor) ? push : bend;
-    const real gap = point.gap + offset + speed * start + before * start * start / 2;
-    const real rate = speed + before * start;
     real t = start;
     if (gap > 0) {
         const real discriminant = rate * rate - 2 * bend * gap;
