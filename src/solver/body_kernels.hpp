@@ -70,10 +70,16 @@ struct BodyKernels {
                                     bool jointed);
     /// What joints have made of rows.velocities since then, for those that they tie.
     void (*takeSettled)(const BodyRows& bodies);
+    /// drift and kickAfterDrift where no joint is at work, with the same bits.
+    std::uint32_t (*driftAndKick)(const BodyRows& bodies, const StepContext& context, bool kicked,
+                                  bool pushed);
     /// Slows loaded bodies that are already slow and not speeding up, against their grounds:
     /// docs/theory/calm.md.
     void (*calm)(Motion* motions, const CalmPair* pairs, std::size_t count, TickRows& rows,
                  const StepContext& context);
+    /// Does what kick, drift and kickAfterDrift do in so many ticks, to bodies that have no load, damping,
+    /// steady change, impacts or pushes and that no bound of speed slows; with the same bits.
+    void (*fly)(const BodyRows& bodies, const StepContext& context, int ticks);
 };
 
 /// Those of a width that this machine has; not Best.

@@ -3,8 +3,7 @@
 // with the switches of that set.
 #pragma once
 
-#include "math/turn_kernel.hpp"
-#include "solver/body_kick_kernels.hpp"
+#include "solver/body_flight_kernel.hpp"
 #include "solver/body_start_kernels.hpp"
 
 namespace tamias2d::inline TAMIAS_PRECISION {
@@ -31,27 +30,9 @@ TAMIAS_INLINE Lane<W> repaidSpin(const BodyRows& bodies, const FourLanes<W>& mas
     return select(owes, masses.z * h / masses.x * turn, zero);
 }
 
-template <int W>
-DoubleLane<W> wrapped(DoubleLane<W> angle)
-{
-    const DoubleMask<W> within = isWrapped(angle);
-    const DoubleLane<W> plain = angle + DoubleLane<W>(0.0);  // makes 0 of -0
-    if (!any(!within)) return plain;
-    DoubleLane<W> result = select(within, plain, wrappedOf(reduceShort(angle)));
-    const DoubleLane<W> bound(kMostShortAngle);
-    if (any(!((angle < bound) & (angle > -bound)))) {
-        if constexpr (W == 1) {
-            result.v = wrapAngle(angle.v);
-        } else {
-            for (int i = 0; i < DoubleLane<W>::kVectors; ++i)
-                for (int k = 0; k < DoubleLane<W>::kWidth; ++k) result.v[i][k] = wrapAngle(angle.v[i][k]);
-        }
-    }
-    return result;
-}
-
-template <int W>
-void drift(const BodyRows& bodies, const StepContext& context, bool kicked, bool pushed)
+// With the second kick, if `kicks`.
+template <int W, bool kicks>
+std::uint32_t driftAnd(const BodyRows& bodies, const StepContext& context, bool kicked, bool pushed)
 {
     using Wide = Lane<W>;
     using Double = DoubleLane<W>;
@@ -59,16 +40,17 @@ void drift(const BodyRows& bodies, const StepContext& context, bool kicked, bool
     TickRows& rows = bodies.rows;
     const Wide zero(real(0));
     const Double time(static_cast<double>(context.h));
+    std::uint32_t clamped = 0;
     eachRun<W>(bodies, [&](const auto& run) {
         FourLanes<W> velocity = load<W>(rows.velocities.data(), 0, run);
         FourLanes<W> change = load<W>(rows.changes.data(), 0, run);
         const FourLanes<W> steady = load<W>(motions, kSteady, run), masses = load<W>(motions, kMasses, run);
         const BasicVec2<Wide> solved{change.x + velocity.x, change.y + velocity.y};
         change = {solved.x + steady.x, solved.y + steady.y, change.z + (velocity.z + steady.z), zero};
-        store<W>(change, rows.changes.data(), 0, run);
+        if (!kicks) store<W>(change, rows.changes.data(), 0, run);
         if (kicked) velocity.z -= repaidSpin(bodies, masses, steady, solved, context, run);
         velocity.w = zero;
-        store<W>(velocity, motions, kVelocity, run);
+        if (!kicks) store<W>(velocity, motions, kVelocity, run);
 
         FourLanes<W> way{velocity.x + zero, velocity.y + zero, velocity.z + zero, zero};
         if (pushed) {
@@ -102,7 +84,23 @@ void drift(const BodyRows& bodies, const StepContext& context, bool kicked, bool
                  rows.poses.data(), 0, run);
         store<W>({toReal(shiftX), toReal(shiftY), masses.w * absolute(toReal(turn)), zero}, rows.ways.data(),
                  0, run);
+        if (kicks)
+            clamped +=
+                kickAfterDrift(bodies, context, kicked, false, velocity, steady, change, rotation, run);
     });
+    return clamped;
+}
+
+template <int W>
+void drift(const BodyRows& bodies, const StepContext& context, bool kicked, bool pushed)
+{
+    driftAnd<W, false>(bodies, context, kicked, pushed);
+}
+
+template <int W>
+std::uint32_t driftAndKick(const BodyRows& bodies, const StepContext& context, bool kicked, bool pushed)
+{
+    return driftAnd<W, true>(bodies, context, kicked, pushed);
 }
 
 // Motion against the grounds, and whether its kinetic energy rises.
@@ -169,7 +167,8 @@ void calm(Motion* motions, const CalmPair* pairs, std::size_t count, TickRows& r
 }  // namespace
 
 template <int W>
-const BodyKernels BodyKernelsOf<W>::kTable = {boundSpeeds<W>,    startTick<W>,   kick<W>, drift<W>,
-                                              kickAfterDrift<W>, takeSettled<W>, calm<W>};
+const BodyKernels BodyKernelsOf<W>::kTable = {boundSpeeds<W>,  startTick<W>,      kick<W>,
+                                              drift<W>,        kickAfterDrift<W>, takeSettled<W>,
+                                              driftAndKick<W>, calm<W>,           fly<W>};
 
 }  // namespace tamias2d::inline TAMIAS_PRECISION

@@ -116,14 +116,14 @@ void kick(const BodyRows& bodies, const StepContext& context, bool kicked)
 
 // What joints alone hold carries what they do along their directions of now: see rows.turned.
 template <int W, class Run>
-TAMIAS_INLINE void turnSteady(const BodyRows& bodies, FourLanes<W>& steady, const Run& run)
+TAMIAS_INLINE void turnSteady(const BodyRows& bodies, FourLanes<W>& steady, FourLanes<W>& change,
+                              const Run& run)
 {
     using Wide = Lane<W>;
     const Wide zero(real(0)), half(real(0.5));
     FourLanes<W> turned = load<W>(bodies.rows.turned.data(), 0, run);
     const LaneMask<W> halved = (turned.w > zero) & !(steady.w > zero);
     if (!any(halved)) return;
-    FourLanes<W> change = load<W>(bodies.rows.changes.data(), 0, run);
     const auto turn = [&](Wide& was, Wide& total, Wide now) {
         total = select(halved, total - half * was + half * now, total);
         was = select(halved, now, was);
@@ -131,57 +131,67 @@ TAMIAS_INLINE void turnSteady(const BodyRows& bodies, FourLanes<W>& steady, cons
     turn(steady.x, change.x, turned.x);
     turn(steady.y, change.y, turned.y);
     turn(steady.z, change.z, turned.z);
-    store<W>(change, bodies.rows.changes.data(), 0, run);
     store<W>({zero, zero, zero, turned.w}, bodies.rows.turned.data(), 0, run);
 }
 
-template <int W>
-std::uint32_t kickAfterDrift(const BodyRows& bodies, const StepContext& context, bool kicked, bool jointed)
+// The second kick, from what the drift has left in registers. Returns how many bodies it slowed.
+template <int W, class Run>
+TAMIAS_INLINE std::uint32_t kickAfterDrift(const BodyRows& bodies, const StepContext& context, bool kicked,
+                                           bool jointed, FourLanes<W> velocity, FourLanes<W> steady,
+                                           FourLanes<W> change, const FourLanes<W>& rates, const Run& run)
 {
     using Wide = Lane<W>;
     Motion* const motions = bodies.motions;
     TickRows& rows = bodies.rows;
     const Wide zero(real(0)), h(context.h), most(mostSpeed(context.lengthUnit)), mostTurn(mostSpin());
+    const FourLanes<W> outside = load<W>(motions, kAcceleration, run);
+    const LaneMask<W> loaded = steady.w > zero;
+    if (jointed) turnSteady(bodies, steady, change, run);
+    if (any(!loaded)) {
+        const DampingOf<W> way(motions, kDampedTick, rates.z, context, run);
+        const DampingOf<W> turn(motions, kDampedTurn, rates.w, context, run);
+        kickFree(motions, velocity, steady, outside, way, turn, loaded, run);
+    }
+    if (kicked) {
+        const FourLanes<W> hit = load<W>(rows.kicks.data(), offsetof(ImpactKick, after), run);
+        velocity.x += hit.x, velocity.y += hit.y, velocity.z += hit.z;
+    } else {
+        velocity.x += zero, velocity.y += zero, velocity.z += zero;
+    }
+    velocity.w = zero;
+    store<W>(velocity, motions, kVelocity, run);
+    if (jointed) store<W>(velocity, rows.velocities.data(), 0, run);
+
+    steady.x = change.x, steady.y = change.y, steady.z = change.z;
+    store<W>(steady, motions, kSteady, run);
+    change.x += h * outside.x;
+    change.y += h * outside.y;
+    change.z += h * outside.z;
+    store<W>(change, rows.changes.data(), 0, run);
+
+    const LaneMask<W> fast =
+        (velocity.x * velocity.x + velocity.y * velocity.y > most * most) | (absolute(velocity.z) > mostTurn);
+    if (!any(fast)) return 0;
+    const std::uint32_t found = bitsOf(fast & isMovable(load<W>(motions, kMasses, run))) & run.valid();
+    std::uint32_t clamped = 0;
+    for (int lane = 0; lane < W; ++lane) {
+        const std::uint32_t row = run.row(lane);
+        if ((found >> lane & 1u) == 0 || !clampSpeed(motions[row], context.lengthUnit)) continue;
+        ++clamped;
+        if (jointed) rows.velocities[row] = laneRow(velocityOf(motions[row]));
+    }
+    return clamped;
+}
+
+template <int W>
+std::uint32_t kickAfterDrift(const BodyRows& bodies, const StepContext& context, bool kicked, bool jointed)
+{
+    Motion* const motions = bodies.motions;
     std::uint32_t clamped = 0;
     eachRun<W>(bodies, [&](const auto& run) {
-        FourLanes<W> velocity = load<W>(motions, kVelocity, run), steady = load<W>(motions, kSteady, run);
-        const FourLanes<W> outside = load<W>(motions, kAcceleration, run);
-        const LaneMask<W> loaded = steady.w > zero;
-        if (jointed) turnSteady(bodies, steady, run);
-        if (any(!loaded)) {
-            const FourLanes<W> rates = load<W>(motions, kRotation, run);
-            const DampingOf<W> way(motions, kDampedTick, rates.z, context, run);
-            const DampingOf<W> turn(motions, kDampedTurn, rates.w, context, run);
-            kickFree(motions, velocity, steady, outside, way, turn, loaded, run);
-        }
-        if (kicked) {
-            const FourLanes<W> hit = load<W>(rows.kicks.data(), offsetof(ImpactKick, after), run);
-            velocity.x += hit.x, velocity.y += hit.y, velocity.z += hit.z;
-        } else {
-            velocity.x += zero, velocity.y += zero, velocity.z += zero;
-        }
-        velocity.w = zero;
-        store<W>(velocity, motions, kVelocity, run);
-        if (jointed) store<W>(velocity, rows.velocities.data(), 0, run);
-
-        FourLanes<W> change = load<W>(rows.changes.data(), 0, run);
-        steady.x = change.x, steady.y = change.y, steady.z = change.z;
-        store<W>(steady, motions, kSteady, run);
-        change.x += h * outside.x;
-        change.y += h * outside.y;
-        change.z += h * outside.z;
-        store<W>(change, rows.changes.data(), 0, run);
-
-        const LaneMask<W> fast = (velocity.x * velocity.x + velocity.y * velocity.y > most * most) |
-                                 (absolute(velocity.z) > mostTurn);
-        if (!any(fast)) return;
-        const std::uint32_t found = bitsOf(fast & isMovable(load<W>(motions, kMasses, run))) & run.valid();
-        for (int lane = 0; lane < W; ++lane) {
-            const std::uint32_t row = run.row(lane);
-            if ((found >> lane & 1u) == 0 || !clampSpeed(motions[row], context.lengthUnit)) continue;
-            ++clamped;
-            if (jointed) rows.velocities[row] = laneRow(velocityOf(motions[row]));
-        }
+        clamped += kickAfterDrift(bodies, context, kicked, jointed, load<W>(motions, kVelocity, run),
+                                  load<W>(motions, kSteady, run), load<W>(bodies.rows.changes.data(), 0, run),
+                                  load<W>(motions, kRotation, run), run);
     });
     return clamped;
 }

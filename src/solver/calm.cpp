@@ -17,14 +17,25 @@ double inertiaOf(const Motion& m)
     return m.invInertia > 0 ? 1 / static_cast<double>(m.invInertia) : 0;
 }
 
-// Mass-weighted rigid motion of each island without a ground.
+// Which islands bear a load somewhere: there is nothing to calm in others, as those of shapes that fall side
+// by side. Is there one?
+bool findLoaded(const Table<Motion>& rows, CalmRows& calmRows)
+{
+    bool any = false;
+    calmRows.islands.assign(calmRows.islands.size(), {});
+    for (const auto [row, number] : calmRows.floating)
+        if (rows[row].isLoaded()) any = calmRows.islands[number].bears = true;
+    return any;
+}
+
+// Mass-weighted rigid motion of each island without a ground that bears a load.
 void measureFreeIslands(const Table<Motion>& rows, const Table<TickChange>& changes, CalmRows& calmRows)
 {
     std::vector<FreeIsland>& free = calmRows.islands;
-    free.assign(free.size(), {});
     const auto each = [&](auto&& visit) {
         for (const FloatingRow& is : calmRows.floating)
-            if (rows[is.row].isFree()) visit(free[is.island], rows[is.row], changes[is.row]);
+            if (free[is.island].bears && rows[is.row].isFree())
+                visit(free[is.island], rows[is.row], changes[is.row]);
     };
     each([](FreeIsland& island, const Motion& m, const TickChange& change) {
         if (!island.started) island.first = m.center;
@@ -84,7 +95,7 @@ void findCalmRows(const Islands& islands, CalmRows& found)
 void calmFloating(Table<Motion>& rows, const Table<TickChange>& changes, CalmRows& calmRows,
                   const StepContext& context)
 {
-    if (calmRows.floating.empty()) return;
+    if (!findLoaded(rows, calmRows)) return;
     std::vector<FreeIsland>& free = calmRows.islands;
     measureFreeIslands(rows, changes, calmRows);
 

@@ -22,6 +22,7 @@ struct FreeIsland {
     double mass = 0, inertia = 0;
     DVec2 weighted;              // sum of m x, from the island's first body
     Position first;
+    bool bears = false;          // does a body of it carry a load?
     bool started = false;
     DVec2 momentum, momentumChange;
     double turning = 0, turningChange = 0;   // angular momentum about the center, and its change

@@ -73,8 +73,7 @@ void WayPairs::add(const ShapePair& pair, bool meets)
     const auto i = static_cast<std::uint32_t>(stage_.contacts.rows.size());
     Contact added = makeContact(stage_.world, pair);
     for (const std::uint32_t row : {added.rowA, added.rowB})
-        stage_.clamps.speed += stage_.visited.visit(row, stage_.kernels, stage_.motions.rows, stage_.rows,
-                                                    context_, scratch_.tick);
+        stage_.visited.visit(row, stage_.kernels, stage_.motions.rows, stage_.rows, context_, scratch_.tick);
     added.swept = true;
     stage_.contacts.order.push_back(i);
     stage_.contacts.rows.push_back(added);

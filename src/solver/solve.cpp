@@ -147,8 +147,10 @@ std::uint32_t driftAll(SolverStage& stage, const StepContext& context, bool push
     const bool kicked = scratch.impacts.kicked;
     std::atomic<std::uint32_t> clamped = 0;
     scratch.visited.forEach(stage.parallel, rows, scratch.rows, [&](const BodyRows& run) {
-        scratch.bodies().drift(run, context, kicked, pushed);
-        if (together) clamped += scratch.bodies().kickAfterDrift(run, context, kicked, false);
+        if (together)
+            clamped += scratch.bodies().driftAndKick(run, context, kicked, pushed);
+        else
+            scratch.bodies().drift(run, context, kicked, pushed);
     });
     return clamped;
 }
@@ -265,8 +267,7 @@ SolverCounts solve(SolverStage& stage, const StepContext& context)
         if (!stage.roused.empty()) varies = stage.field.varies(stage.motions, stage.world.bodies);
         hasJoints = !stage.system.empty();  // those of sleepers that were hit, too
         if (hasJoints) markMet(stage);
-        if (varies || hasJoints)
-            counts.clamps.speed += scratch.visited.visitAll(scratch.bodies(), rows, lanes, context, tick);
+        if (varies || hasJoints) scratch.visited.visitAll(scratch.bodies(), rows, lanes, context, tick);
         if (stage.roused.size() > roused) seatJoints(stage);
         roused = stage.roused.size();
         counts.impactTime += watch.lap();
@@ -303,7 +304,7 @@ SolverCounts solve(SolverStage& stage, const StepContext& context)
         calm(stage, context);
         counts.solveTime += watch.lap();
     }
-    counts.clamps.speed += scratch.visited.end(scratch.bodies(), rows, lanes, context, stage.parallel);
+    scratch.visited.end(scratch.bodies(), rows, lanes, context, stage.parallel);
     scratch.passes.endPiles(stage.contacts, stage.motions, context);
     counts.piles = static_cast<std::uint32_t>(scratch.passes.piles().count());
     counts.pileFallbacks = scratch.passes.piles().fallbacks();

@@ -3,34 +3,19 @@
 
 #include "solver/integrate.hpp"
 
-#include <atomic>
-
 namespace tamias2d::inline TAMIAS_PRECISION {
 namespace {
 
-// Will it go as it is expected to, whatever others do? Not if damping or a bound of speed may bend its way.
+// Will it go as it is expected to, whatever others do? Not if damping or a bound of speed may bend its way. A
+// load that it has lost is forgotten in the first tick.
 bool fliesAlone(const Motion& m, const StepContext& context)
 {
     const real time = static_cast<real>(context.dt);
     const real speed = absolute(m.velocity.x) + absolute(m.velocity.y) +
                        time * (absolute(m.acceleration.x) + absolute(m.acceleration.y));
     const real spin = absolute(m.spin) + time * absolute(m.spinRate);
-    return m.moves() && !m.isDamped() && m.steady == Vec2{} && m.steadySpin == 0 &&
+    return m.moves() && !m.isLoaded() && !m.isDamped() && m.steady == Vec2{} && m.steadySpin == 0 &&
            speed < mostSpeed(context.lengthUnit) && spin < mostSpin();
-}
-
-// The ticks of lone bodies before the one with that number.
-std::uint32_t fly(const BodyChunk& chunk, const BodyKernels& kernels, Table<Motion>& motions, TickRows& rows,
-                  const StepContext& context, int ticks)
-{
-    const BodyRows bodies{motions.data(), rows, chunk.begin, chunk.end};
-    std::uint32_t clamped = 0;
-    for (int tick = 0; tick < ticks; ++tick) {
-        kernels.kick(bodies, context, false);
-        kernels.drift(bodies, context, false, false);
-        clamped += kernels.kickAfterDrift(bodies, context, false, false);
-    }
-    return clamped;
 }
 
 }  // namespace
@@ -78,39 +63,35 @@ const std::vector<BodyChunk>& VisitedBodies::chunks(std::size_t rows)
     return chunks_;
 }
 
-std::uint32_t VisitedBodies::visit(std::uint32_t row, const BodyKernels& kernels, Table<Motion>& motions,
-                                   TickRows& rows, const StepContext& context, int tick)
+void VisitedBodies::visit(std::uint32_t row, const BodyKernels& kernels, Table<Motion>& motions,
+                          TickRows& rows, const StepContext& context, int tick)
 {
     const std::uint32_t block = row / kBlock;
-    if (block >= isVisited_.size() || isVisited_[block] != 0) return 0;
+    if (block >= isVisited_.size() || isVisited_[block] != 0) return;
     isVisited_[block] = 1;
     stale_ = true;
-    const BodyChunk chunk{block * kBlock, (block + 1) * kBlock};
-    const std::uint32_t clamped = fly(chunk, kernels, motions, rows, context, tick);
+    const BodyRows bodies{motions.data(), rows, block * kBlock, (block + 1) * kBlock};
+    kernels.fly(bodies, context, tick);
     std::uint32_t none[kBlock];  // nobody strays
     StrayList strays{none, 0};
-    kernels.startTick({motions.data(), rows, chunk.begin, chunk.end}, context, timeOf(tick, context), strays);
-    return clamped;
+    kernels.startTick(bodies, context, timeOf(tick, context), strays);
 }
 
-std::uint32_t VisitedBodies::visitAll(const BodyKernels& kernels, Table<Motion>& motions, TickRows& rows,
-                                      const StepContext& context, int tick)
+void VisitedBodies::visitAll(const BodyKernels& kernels, Table<Motion>& motions, TickRows& rows,
+                             const StepContext& context, int tick)
 {
-    std::uint32_t clamped = 0;
     for (std::uint32_t block = 0; block < isVisited_.size(); ++block)
-        clamped += visit(block * kBlock, kernels, motions, rows, context, tick);
-    return clamped;
+        visit(block * kBlock, kernels, motions, rows, context, tick);
 }
 
-std::uint32_t VisitedBodies::end(const BodyKernels& kernels, Table<Motion>& motions, TickRows& rows,
-                                 const StepContext& context, Parallel& parallel)
+void VisitedBodies::end(const BodyKernels& kernels, Table<Motion>& motions, TickRows& rows,
+                        const StepContext& context, Parallel& parallel)
 {
     list(0, static_cast<std::uint32_t>(motions.size()), kLoneGrain, lone_);
-    std::atomic<std::uint32_t> clamped = 0;
     parallel.forEach(lone_.size(), 1, [&](const Chunk& chunk) {
-        clamped += fly(lone_[chunk.begin], kernels, motions, rows, context, context.ticks);
+        const auto [begin, end] = lone_[chunk.begin];
+        kernels.fly({motions.data(), rows, begin, end}, context, context.ticks);
     });
-    return clamped;
 }
 
 }  // namespace tamias2d::inline TAMIAS_PRECISION

@@ -16,8 +16,8 @@ struct BodyChunk {
 
 /// The bodies that a tick visits. Nothing asks where a lone one is before the step is over: one that has no
 /// pair in it, carries nothing and goes exactly as it was expected to. All its ticks are done together when
-/// the step ends, while it is in the cache; or as far as the step has come, if it gets a pair after all. The
-/// same kernels do the same in the same order, so it has the same bits either way.
+/// the step ends, in registers; or as far as the step has come, if it gets a pair after all. That gives the
+/// bits of doing tick by tick what is done with visited ones.
 class VisitedBodies {
 public:
     /// Before the first tick. Facts and rows of contacts are the same, one by one. If `all`, nobody is lone.
@@ -35,15 +35,14 @@ public:
         });
     }
     /// From here on the body is visited: brought to where it is in the tick `tick`, once that has started.
-    /// Returns how many bodies were too fast on the way.
-    std::uint32_t visit(std::uint32_t row, const BodyKernels& kernels, Table<Motion>& motions, TickRows& rows,
-                        const StepContext& context, int tick);
+    void visit(std::uint32_t row, const BodyKernels& kernels, Table<Motion>& motions, TickRows& rows,
+               const StepContext& context, int tick);
     /// The same of all.
-    std::uint32_t visitAll(const BodyKernels& kernels, Table<Motion>& motions, TickRows& rows,
-                           const StepContext& context, int tick);
+    void visitAll(const BodyKernels& kernels, Table<Motion>& motions, TickRows& rows,
+                  const StepContext& context, int tick);
     /// When the last tick has ended: the ticks of all that were not visited.
-    std::uint32_t end(const BodyKernels& kernels, Table<Motion>& motions, TickRows& rows,
-                      const StepContext& context, Parallel& parallel);
+    void end(const BodyKernels& kernels, Table<Motion>& motions, TickRows& rows, const StepContext& context,
+             Parallel& parallel);
 
 private:
     static constexpr std::uint32_t kBlock = 16;  // rows: as many as the widest lanes
