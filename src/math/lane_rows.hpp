@@ -176,7 +176,12 @@ TAMIAS_INLINE void scatterRows(const FourLanes<W>& lanes, const Rows& rows, std:
         const LaneRow row{lanes.x.v[0], lanes.y.v[0], lanes.z.v[0], lanes.w.v[0]};
         if ((written & 1u) != 0) __builtin_memcpy(rows.at(0), &row, sizeof row);
     } else {
-        lane_rows::scatter<real, W>({lanes.x.v, lanes.y.v, lanes.z.v, lanes.w.v}, rows, 0, written);
+        constexpr std::uint32_t kAll = (std::uint64_t{1} << W) - 1;
+        const lane_rows::Four<real, W> four{lanes.x.v, lanes.y.v, lanes.z.v, lanes.w.v};
+        if ((written & kAll) == kAll)  // mostly, and asks nothing lane by lane
+            lane_rows::scatter<real, W>(four, rows, 0, kAll);
+        else
+            lane_rows::scatter<real, W>(four, rows, 0, written);
     }
 }
 

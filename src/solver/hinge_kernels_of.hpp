@@ -37,6 +37,24 @@ LaneMask<W> lanesIn(std::uint32_t bits)
     return maskOf<W>(bits);
 }
 
+// By how much cosine and sine of a small angle t differ from 1 and from t: their series from there on, to
+// the last digit of a double for |t| <= kSmallTurn.
+constexpr real kSmallTurn = real(0.5);
+template <class Wide>
+struct CurveOf {
+    Wide cosine, sine;
+};
+template <class Wide>
+TAMIAS_INLINE CurveOf<Wide> curveOf(Wide t)
+{
+    const auto share = [](double of) { return Wide(static_cast<real>(1 / of)); };
+    const Wide one(real(1)), s = t * t;
+    Wide cosine = one, sine = one;
+    for (const double n : {14.0, 12.0, 10.0, 8.0, 6.0, 4.0}) cosine = one - share(n * (n - 1)) * s * cosine;
+    for (const double n : {15.0, 13.0, 11.0, 9.0, 7.0, 5.0}) sine = one - share(n * (n - 1)) * s * sine;
+    return {-(share(2) * s * cosine), -(share(6) * s * t * sine)};
+}
+
 // What the point of each is asked for, with its bodies turning so: see `turns`.
 template <int W>
 TAMIAS_INLINE BasicVec2<Lane<W>> biasOf(const HingeBlock<W>& block, const LaneRow* turns)
@@ -270,16 +288,23 @@ template <int W>
 void HingeKernels<W>::turns(const BodyRows& bodies, LaneRow* turns, const StepContext& context)
 {
     using Double = DoubleLane<W>;
-    const Double h(static_cast<double>(context.h)), invH(static_cast<double>(context.invH));
-    const Double most(1e4), one(1.0);
-    const Wide zero(real(0));
+    const Wide zero(real(0)), h(context.h), invH(context.invH), small(kSmallTurn);
     eachRun<W>(bodies, [&](const auto& run) {
-        const Double way = h * toDouble(load<W>(bodies.rows.velocities.data(), 0, run).z);
-        Double turn = way + gatherDoubles<W>(run.groups(bodies.motions, kExcess)).z;
+        const Wide spin = load<W>(bodies.rows.velocities.data(), 0, run).z;
+        const Double excess = gatherDoubles<W>(run.groups(bodies.motions, kExcess)).z;
+        const Wide beyond = toReal(excess), t = h * spin + beyond;
+        if (!any(!(small >= absolute(t)))) {
+            const CurveOf<Wide> curve = curveOf(t);
+            store<W>({invH * curve.cosine, invH * (beyond + curve.sine), zero, zero}, turns, 0, run);
+            return;
+        }
+        const Double time(static_cast<double>(context.h)), perTime(static_cast<double>(context.invH));
+        const Double most(1e4), one(1.0), way = time * toDouble(spin);
+        Double turn = way + excess;
         turn = select(turn > most, most, select(turn < -most, -most, turn));
         const SineCosine<Double> to = sineCosineOf(reduceShort(turn));
-        store<W>({toReal(invH * (to.cosine - one)), toReal(invH * (to.sine - way)), zero, zero}, turns, 0,
-                 run);
+        store<W>({toReal(perTime * (to.cosine - one)), toReal(perTime * (to.sine - way)), zero, zero}, turns,
+                 0, run);
     });
 }
 
