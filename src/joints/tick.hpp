@@ -61,7 +61,8 @@ struct JointSystem {
     ProjectionScratch projection;
     std::vector<BodyMotion<real>> velocities;   // scratch
     std::vector<BodyMotion<real>> before;    // by row, scratch
-    std::vector<std::uint8_t> unrest, unrestBefore;  // by group, scratch
+    std::vector<std::uint8_t> visited;             // by group, scratch
+    std::vector<std::uint32_t> changed, changedBefore;  // by group, scratch: visits that changed a speed
     std::vector<real> fastest;               // by island, scratch  [m/s]
     std::vector<std::uint32_t> order;        // scratch
     std::vector<std::uint32_t> numbers;      // by row, scratch

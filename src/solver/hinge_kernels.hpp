@@ -9,11 +9,11 @@
 
 namespace tamias2d::inline TAMIAS_PRECISION {
 
-/// One pass over hinges. Those are visited whose island, or group after the drift, says so in `visited`, or
-/// all if that is null; marked in `unrest` is where speeds change by more than `restless` [m/s].
+/// One pass over hinges before the drift. After the first of a tick those are visited whose island says so in
+/// `visited`; marked in `unrest` is where speeds change by more than `restless` [m/s].
 struct HingePass {
     LaneRow* velocities;
-    const LaneRow* turns;         // by row: what they aim anew by
+    const LaneRow* turns;  // by row: what they aim anew by
     const std::uint8_t* visited;
     std::uint8_t* unrest;
     real restless;
@@ -22,9 +22,9 @@ struct HingePass {
 /// What the visits of a tick begin with.
 struct HingeStart {
     const Motion* motions;
-    const LaneRow* turns;         // by row
+    const LaneRow* turns;  // by row
     const std::uint8_t* wholeGroups;
-    bool prepared;                // are the effective masses those of now?
+    bool prepared;  // are the effective masses those of now?
 };
 
 /// What is done with runs of blocks of hinges; compiled as ContactKernels are, and with the same care. The
@@ -53,8 +53,10 @@ struct HingeKernels {
                           const StepContext& context);
     /// One more before the drift: points give way a little.
     static void pass(const Run& run, const HingePass& with);
-    /// One after it.
-    static void settlingPass(const Run& run, const HingePass& with);
+    /// One after it, in the groups that are `visited`, or in all if that is null. Counts in `changed`, by
+    /// group, the hinges that change a speed by more than `restless` [m/s].
+    static void settlingPass(const Run& run, LaneRow* velocities, const std::uint8_t* visited,
+                             std::uint32_t* changed, real restless);
     /// Marks the groups of which a point aims elsewhere by more than `trusted` [m/s].
     static void findLost(const Run& run, const LaneRow* turns, real trusted, std::uint8_t* lost);
     /// Those of lost groups ask for J v = 0, and are visited.

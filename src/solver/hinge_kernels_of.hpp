@@ -10,6 +10,8 @@
 
 #include <tamias2d/model/joint_defs.hpp>
 
+#include <utility>
+
 namespace tamias2d::inline TAMIAS_PRECISION {
 namespace {
 
@@ -376,16 +378,29 @@ void HingeKernels<W>::pass(const Run& run, const HingePass& with)
 }
 
 template <int W>
-void HingeKernels<W>::settlingPass(const Run& run, const HingePass& with)
+void HingeKernels<W>::settlingPass(const Run& run, LaneRow* velocities, const std::uint8_t* visited,
+                                   std::uint32_t* changed, real restless)
 {
-    const Wide limit(with.restless);
+    const Wide limit(restless);
+    std::uint32_t group = 0, sum = 0;  // of blocks one after the other that are of one group
+    const auto add = [changed](std::uint32_t of, std::uint32_t more) {
+        if (more != 0) __atomic_fetch_add(&changed[of], more, __ATOMIC_RELAXED);
+    };
     for (std::size_t at = 0; at < run.count; ++at) {
         Block& block = run.blocks[at];
-        const std::uint32_t lanes = with.visited == nullptr ? block.active : lanesOf(block, with.visited);
+        const std::uint32_t lanes = visited == nullptr ? block.active : lanesOf(block, visited);
         if (lanes == 0) continue;
-        const Wide change = visitHinges(block, run.angleOf(block), lanes, false, with.velocities);
-        markFlags(bitsOf(change > limit) & lanes, block.group, block.oneGroup, with.unrest);
+        const Wide change = visitHinges(block, run.angleOf(block), lanes, false, velocities);
+        std::uint32_t bits = bitsOf(change > limit) & lanes;
+        if (block.oneGroup) {
+            if (block.group[0] != group) add(group, std::exchange(sum, 0u));
+            group = block.group[0];
+            sum += static_cast<std::uint32_t>(__builtin_popcount(bits));
+        } else {
+            for (; bits != 0; bits &= bits - 1) add(block.group[__builtin_ctz(bits)], 1);
+        }
     }
+    add(group, sum);
 }
 
 template <int W>

@@ -105,11 +105,12 @@ public:
             [&](const Run& run) { Kernels::settle(run, motions.data(), rows, rows.turned.data(), context); });
         prepared_ = true;
     }
-    void settlingPass(TickRows& rows, const std::uint8_t* visited, std::uint8_t* unrest,
+    void settlingPass(TickRows& rows, const std::uint8_t* visited, std::uint32_t* changed,
                       real restless) override
     {
-        const HingePass with{rows.velocities.data(), nullptr, visited, unrest, restless};
-        eachOfColors([&](const Run& run) { Kernels::settlingPass(run, with); });
+        eachOfColors([&](const Run& run) {
+            Kernels::settlingPass(run, rows.velocities.data(), visited, changed, restless);
+        });
     }
     void keep(const std::uint8_t* hit, const TickRows& rows, const StepContext& context) override
     {

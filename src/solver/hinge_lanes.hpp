@@ -52,8 +52,8 @@ public:
     /// After the drift: measures, and turns what they carry, in rows.turned.
     virtual void settle(const Table<Motion>& motions, TickRows& rows, const StepContext& context) = 0;
     /// One pass after the second kick, at rows.velocities, over the groups that are `visited`, or all if that
-    /// is null.
-    virtual void settlingPass(TickRows& rows, const std::uint8_t* visited, std::uint8_t* unrest,
+    /// is null. Adds to `changed`, by group, how many of them change a speed by more than `restless` [m/s].
+    virtual void settlingPass(TickRows& rows, const std::uint8_t* visited, std::uint32_t* changed,
                               real restless) = 0;
     /// Nobody was hit if `hit` is null.
     virtual void keep(const std::uint8_t* hit, const TickRows& rows, const StepContext& context) = 0;

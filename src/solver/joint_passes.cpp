@@ -6,6 +6,7 @@
 #include <tamias2d/math/scalar.hpp>
 
 #include <algorithm>
+#include <limits>
 
 namespace tamias2d::inline TAMIAS_PRECISION {
 
@@ -309,19 +310,27 @@ void settleJoints(JointSystem& system, HingeLanes& hinges, const Table<Motion>& 
                   const StepContext& context)
 {
     const real restless = context.tuning.restless * context.lengthUnit;
-    std::vector<std::uint8_t>&unrest = system.unrest, &visited = system.unrestBefore;
+    std::vector<std::uint32_t>&changed = system.changed, &before = system.changedBefore;
+    std::vector<std::uint8_t>& visited = system.visited;
     const std::size_t groups = system.wholeGroups.size();
     visited.assign(groups, 1);
+    before.assign(groups, std::numeric_limits<std::uint32_t>::max());
     for (int pass = 0; pass <= context.tuning.extraPasses; ++pass) {
-        unrest.assign(groups, 0);
+        changed.assign(groups, 0);
         if (!hinges.empty())
-            hinges.settlingPass(lanes, pass == 0 ? nullptr : visited.data(), unrest.data(), restless);
+            hinges.settlingPass(lanes, pass == 0 ? nullptr : visited.data(), changed.data(), restless);
         for (JointRows& joint : system.joints) {
             if (system.stiffGroups[joint.group] || visited[joint.group] == 0) continue;
-            if (visit(joint, rows, lanes.velocities) > restless) unrest[joint.group] = 1;
+            if (visit(joint, rows, lanes.velocities) > restless) ++changed[joint.group];
         }
-        visited.swap(unrest);
-        if (std::find(visited.begin(), visited.end(), std::uint8_t{1}) == visited.end()) break;
+        // Where no fewer change than in the pass before, more of them settle nothing.
+        bool any = false;
+        for (std::size_t group = 0; group < groups; ++group) {
+            visited[group] = changed[group] != 0 && changed[group] < before[group];
+            any = any || visited[group] != 0;
+        }
+        before.swap(changed);
+        if (!any) break;
     }
     for (std::size_t d = 0; d < system.directCount; ++d)
         visitGroup(system.direct[d], system, rows, lanes.velocities);
