@@ -79,10 +79,9 @@ real impactThreshold(const Contact& contact, const Motion& a, const Motion& b, c
 // With (1 - C_R)/C_R rest gaps a tick a bounce is left out whose rebound is slower than 1 - C_R of them.
 real slowestInCrowd(const Contact& contact, const StepContext& context)
 {
-    constexpr real kSlow = 10;  // rest gaps a tick: a hundredth of the smaller width
     if (!contact.crowded) return 0;
     const real kept = contact.restitution, lost = 1 - kept;
-    return (lost < kSlow * kept ? lost / kept : kSlow) * contact.restGap * context.invH;
+    return (lost < kSlowInCrowd * kept ? lost / kept : kSlowInCrowd) * contact.restGap * context.invH;
 }
 
 int mostImpacts(const Contact& contact, const StepContext& context)

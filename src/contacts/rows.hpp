@@ -41,6 +41,10 @@ real allowedApproach(const ContactPointRow& point, const StepContext& context);
 /// rests never bounces, and zero without such forces.   [m/s]
 real impactThreshold(const Contact& contact, const Motion& a, const Motion& b, const StepContext& context);
 
+/// What closes by more rest gaps in a tick is an impact at its time in crowds as well: 3 % of the smaller
+/// width at the defaults [ADR21].
+inline constexpr real kSlowInCrowd = 30;
+
 /// In a crowd each loss makes others meet, a little later and a little slower, without end: what approaches
 /// slower than this is left to the passes, which stop all of it at once. What would have bounced then loses
 /// less than a rest gap a tick of speed; 0 for what loses nothing [ADR21].   [m/s]

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "contacts/update.hpp"
 
+#include "contacts/rows.hpp"
+
 namespace tamias2d::inline TAMIAS_PRECISION {
 
 Vec2 expectedAcceleration(const Motion& m, real invH)
@@ -243,10 +245,9 @@ bool withinReach(const SweptPair& pair, real gap, real dt)
 
 bool mayMeet(const SweptPair& pair, real from, real to, const StepContext& context)
 {
-    constexpr real kSlow = 10;  // rest gaps a tick: faster ones are impacts, in crowds as well
     const SweptResult result = collideSwept(pair, from, to);
     if (result.near && result.manifold.count > 0) return true;
-    return result.startGap <= kSlow * pair.restGap * static_cast<real>(context.ticks) &&
+    return result.startGap <= kSlowInCrowd * pair.restGap * static_cast<real>(context.ticks) &&
            withinReach(pair, result.startGap, to - from);
 }
 
