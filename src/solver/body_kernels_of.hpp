@@ -85,8 +85,8 @@ std::uint32_t driftAnd(const BodyRows& bodies, const StepContext& context, bool 
         store<W>({toReal(shiftX), toReal(shiftY), masses.w * absolute(toReal(turn)), zero}, rows.ways.data(),
                  0, run);
         if (kicks)
-            clamped +=
-                kickAfterDrift(bodies, context, kicked, false, velocity, steady, change, rotation, run);
+            clamped += kickAfterDrift(bodies, context, kicked, false,
+                                      Drifted<W>{velocity, steady, change, rotation}, run);
     });
     return clamped;
 }

@@ -134,13 +134,20 @@ TAMIAS_INLINE void turnSteady(const BodyRows& bodies, FourLanes<W>& steady, Four
     store<W>({zero, zero, zero, turned.w}, bodies.rows.turned.data(), 0, run);
 }
 
-// The second kick, from what the drift has left in registers. Returns how many bodies it slowed.
+// What a drift leaves in registers.
+template <int W>
+struct Drifted {
+    FourLanes<W> velocity, steady, change;
+    FourLanes<W> rates;  // of damping: the third and the fourth
+};
+
+// The second kick. Returns how many bodies it slowed.
 template <int W, class Run>
 TAMIAS_INLINE std::uint32_t kickAfterDrift(const BodyRows& bodies, const StepContext& context, bool kicked,
-                                           bool jointed, FourLanes<W> velocity, FourLanes<W> steady,
-                                           FourLanes<W> change, const FourLanes<W>& rates, const Run& run)
+                                           bool jointed, const Drifted<W>& drifted, const Run& run)
 {
     using Wide = Lane<W>;
+    FourLanes<W> velocity = drifted.velocity, steady = drifted.steady, change = drifted.change;
     Motion* const motions = bodies.motions;
     TickRows& rows = bodies.rows;
     const Wide zero(real(0)), h(context.h), most(mostSpeed(context.lengthUnit)), mostTurn(mostSpin());
@@ -148,8 +155,8 @@ TAMIAS_INLINE std::uint32_t kickAfterDrift(const BodyRows& bodies, const StepCon
     const LaneMask<W> loaded = steady.w > zero;
     if (jointed) turnSteady(bodies, steady, change, run);
     if (any(!loaded)) {
-        const DampingOf<W> way(motions, kDampedTick, rates.z, context, run);
-        const DampingOf<W> turn(motions, kDampedTurn, rates.w, context, run);
+        const DampingOf<W> way(motions, kDampedTick, drifted.rates.z, context, run);
+        const DampingOf<W> turn(motions, kDampedTurn, drifted.rates.w, context, run);
         kickFree(motions, velocity, steady, outside, way, turn, loaded, run);
     }
     if (kicked) {
@@ -189,9 +196,10 @@ std::uint32_t kickAfterDrift(const BodyRows& bodies, const StepContext& context,
     Motion* const motions = bodies.motions;
     std::uint32_t clamped = 0;
     eachRun<W>(bodies, [&](const auto& run) {
-        clamped += kickAfterDrift(bodies, context, kicked, jointed, load<W>(motions, kVelocity, run),
-                                  load<W>(motions, kSteady, run), load<W>(bodies.rows.changes.data(), 0, run),
-                                  load<W>(motions, kRotation, run), run);
+        const Drifted<W> drifted{load<W>(motions, kVelocity, run), load<W>(motions, kSteady, run),
+                                 load<W>(bodies.rows.changes.data(), 0, run),
+                                 load<W>(motions, kRotation, run)};
+        clamped += kickAfterDrift(bodies, context, kicked, jointed, drifted, run);
     });
     return clamped;
 }
