@@ -68,12 +68,17 @@ real allowedApproach(const ContactPointRow& point, const StepContext& context)
     return point.gap > 0 ? point.gap * context.invH : real(0);
 }
 
+real impactThreshold(const Contact& contact, const Motion& a, const Motion& b, real carried,
+                     const StepContext& context)
+{
+    const real forces = context.h * absolute(dot(contact.normal, b.acceleration - a.acceleration));
+    return context.tuning.impactThreshold * (forces + carried);
+}
+
 real impactThreshold(const Contact& contact, const Motion& a, const Motion& b, const StepContext& context)
 {
     const Vec2 n = contact.normal;
-    const real forces = context.h * absolute(dot(n, b.acceleration - a.acceleration));
-    const real contacts = absolute(dot(n, a.steady)) + absolute(dot(n, b.steady));
-    return context.tuning.impactThreshold * (forces + contacts);
+    return impactThreshold(contact, a, b, absolute(dot(n, a.steady)) + absolute(dot(n, b.steady)), context);
 }
 
 // With (1 - C_R)/C_R rest gaps a tick a bounce is left out whose rebound is slower than 1 - C_R of them.

@@ -40,6 +40,9 @@ real allowedApproach(const ContactPointRow& point, const StepContext& context);
 /// Slowest approach that is an impact: more than what steady forces do within a tick, so that what
 /// rests never bounces, and zero without such forces.   [m/s]
 real impactThreshold(const Contact& contact, const Motion& a, const Motion& b, const StepContext& context);
+/// The same where contacts carry so much of the speeds of both along the normal, each taken positive.   [m/s]
+real impactThreshold(const Contact& contact, const Motion& a, const Motion& b, real carried,
+                     const StepContext& context);
 
 /// What closes by more rest gaps in a tick is an impact at its time in crowds as well: 3 % of the smaller
 /// width at the defaults [ADR21].

@@ -78,19 +78,17 @@ ImpactPoint impactPoint(const Contact& contact, int k, const FlyingPair& pair)
     return point;
 }
 
+real closingTime(real gap, real rate, real bend)
+{
+    if (!(gap > 0)) return 0;
+    const real discriminant = rate * rate - 2 * bend * gap;
+    if (!(discriminant >= 0)) return kNever;
+    const real root = std::sqrt(discriminant);
+    if (rate < 0) return 2 * gap / (root - rate);
+    return bend < 0 ? (-rate - root) / bend : kNever;
+}
+
 namespace {
-
-// How the gap of a point changes: at the start of the tick [m/s], and how that changes [m/s^2].
-struct Closing {
-    real speed, push;
-
-    Closing(const ImpactPoint& p, const Flight& a, const Flight& b)
-        : speed(dot(p.normal, b.velocity - a.velocity) + p.turnB * b.spin - p.turnA * a.spin),
-          push(dot(p.normal, b.acceleration - a.acceleration) + p.turnB * b.spinRate - p.turnA * a.spinRate)
-    {
-    }
-    real at(real t) const { return speed + push * t; }
-};
 
 // When the point's gap, a parabola in time, first reaches zero while closing fast enough.
 real parabolaTime(const Contact& c, int k, const ImpactPoint& point, const Closing& closing,
@@ -98,8 +96,7 @@ real parabolaTime(const Contact& c, int k, const ImpactPoint& point, const Closi
 {
     const Flight &fa = pair.flightA, &fb = pair.flightB;
     const Vec2 n = point.normal;
-    const real offset = dot(n, fb.offset - fa.offset) + point.turnB * fb.turned - point.turnA * fa.turned;
-    const auto [speed, push] = closing;
+    const auto [speed, push, offset] = closing;
 
     const real start = pair.start();
     real gap = point.gap + offset + speed * start + push * start * start / 2, rate = speed + push * start;
@@ -119,19 +116,8 @@ real parabolaTime(const Contact& c, int k, const ImpactPoint& point, const Closi
         }
     }
 
-    real t = start;
-    if (gap > 0) {
-        const real discriminant = rate * rate - 2 * bend * gap;
-        if (discriminant < 0) return kNever;
-        const real root = std::sqrt(discriminant);
-        if (rate < 0)
-            t = start + 2 * gap / (root - rate);
-        else if (bend < 0)
-            t = start + (-rate - root) / bend;
-        else
-            return kNever;
-        if (!(t <= context.h)) return kNever;
-    }
+    const real t = start + closingTime(gap, rate, bend);
+    if (!(t <= context.h)) return kNever;
     return closing.at(t) < -threshold ? t : kNever;
 }
 

@@ -65,6 +65,25 @@ struct ImpactPoint {
     bool yields = false;  ///< does an impulse at it move anything?
 };
 
+/// How the gap of a point changes on the ways of two bodies.
+struct Closing {
+    real speed;    ///< at the start of the tick   [m/s]
+    real push;     ///< how that changes   [m/s^2]
+    real offset;   ///< what impacts have put the gap off by, seen from there   [m]
+
+    Closing(const ImpactPoint& p, const Flight& a, const Flight& b)
+        : speed(dot(p.normal, b.velocity - a.velocity) + p.turnB * b.spin - p.turnA * a.spin),
+          push(dot(p.normal, b.acceleration - a.acceleration) + p.turnB * b.spinRate - p.turnA * a.spinRate),
+          offset(dot(p.normal, b.offset - a.offset) + p.turnB * b.turned - p.turnA * a.turned)
+    {
+    }
+    real at(real t) const { return speed + push * t; }
+};
+
+/// After what time a gap [m] that changes at `rate` [m/s], which changes by `bend` [m/s^2], first closes;
+/// kNever if it does not. docs/theory/contacts.md, eq. 9.
+real closingTime(real gap, real rate, real bend);
+
 /// Is a prepared point of the contact all that the search asks for? The manifold of an impact is linearized
 /// about its own pose instead: a fast spinner has turned far from the start of the tick by then.
 bool isPlainPoint(const Contact& contact, int point);

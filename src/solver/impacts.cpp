@@ -51,8 +51,7 @@ private:
 };
 
 ImpactSolver::ImpactSolver(ImpactStage& stage, const StepContext& context, int tick)
-    : stage_(stage), context_(context), scratch_(stage.scratch),
-      tickStart_(static_cast<real>(tick) * context.h),
+    : stage_(stage), context_(context), scratch_(stage.scratch), tickStart_(timeOf(tick, context).start),
       response_(stage, context, stage.scratch.flights, tickStart_), ways_(stage, context, tickStart_)
 {
     const std::size_t contacts = stage.contacts.rows.size();

@@ -31,17 +31,6 @@ Flight wayOf(const ImpactStage& stage, std::uint32_t row, real h)
     return way;
 }
 
-// When a gap that changes so closes within a time h, at its end at the latest.
-real closingTime(real gap, real speed, real push, real h)
-{
-    if (!(gap > 0)) return 0;
-    const real discriminant = speed * speed - 2 * push * gap;
-    if (!(discriminant >= 0)) return h;
-    const real root = std::sqrt(discriminant);
-    if (speed < 0) return minimum(2 * gap / (root - speed), h);
-    return push < 0 ? minimum((-speed - root) / push, h) : h;
-}
-
 // As impactThreshold; but what a body that was stopped in the last tick carried then is no steady force.
 real steadyApproach(const Contact& c, const Motion& a, const Motion& b, const StepContext& context)
 {
@@ -49,8 +38,7 @@ real steadyApproach(const Contact& c, const Motion& a, const Motion& b, const St
     const auto carried = [&](const Motion& m) {
         return minimum(absolute(dot(n, m.steady)), context.h * length(m.acceleration));
     };
-    const real forces = context.h * absolute(dot(n, b.acceleration - a.acceleration));
-    return context.tuning.impactThreshold * (forces + carried(a) + carried(b));
+    return impactThreshold(c, a, b, carried(a) + carried(b), context);
 }
 
 // Is the contact one of those whose impacts are left to the passes?
@@ -83,7 +71,7 @@ LaneView viewOf(const Contact& c)
 class PassHits {
 public:
     PassHits(ImpactStage& stage, const StepContext& context, int tick)
-        : stage_(stage), context_(context), tickStart_(static_cast<real>(tick) * context.h)
+        : stage_(stage), context_(context), tickStart_(timeOf(tick, context).start)
     {
     }
 
@@ -118,14 +106,11 @@ private:
     // no impact either, nor is what is left of one that has acted in this tick.
     real hitTime(const Contact& c, const LaneView::Point& p, const Flight& wayA, const Flight& wayB) const
     {
-        const Vec2 n = c.normal;
         const real h = context_.h, restless = context_.tuning.restless * context_.lengthUnit;
-        const real speed = dot(n, wayB.velocity - wayA.velocity) + p.turnB * wayB.spin - p.turnA * wayA.spin;
-        const real push =
-            dot(n, wayB.acceleration - wayA.acceleration) + p.turnB * wayB.spinRate - p.turnA * wayA.spinRate;
-        if (!(minimum(speed, speed + h * push) < -restless)) return kNever;
-        const real offset = dot(n, wayB.offset - wayA.offset) + p.turnB * wayB.turned - p.turnA * wayA.turned;
-        const real t = closingTime(p.gap + offset, speed, push, h), approach = -(speed + t * push);
+        const Closing closing({c.normal, p.turnA, p.turnB, p.gap}, wayA, wayB);
+        if (!(minimum(closing.speed, closing.at(h)) < -restless)) return kNever;
+        const real t = minimum(closingTime(p.gap + closing.offset, closing.speed, closing.push), h);
+        const real approach = -closing.at(t);
         if (!(approach > maximum(restless, steadyApproach(c, motion(c.rowA), motion(c.rowB), context_))))
             return kNever;
         if (c.impacts > 0 && !(approach > c.fastestImpact)) return kNever;
