@@ -159,8 +159,9 @@ std::uint32_t World::Impl::gather(const ForceField& forces, const StepContext& c
         gatherJoints(joints, bodies, motions, jointSystem);
         predictSteady(contacts, bodies, shapes, joints, jointSystem, motions, context);
         faults = accelerate(motions, bodies, forces, time);
-        if (sweepBodies(context) || resting.changes() != restingChanges) pairsAreCurrent = false;
-        if (pairsAreCurrent && !sleepersAreNear) break;
+        if (sweepBodies(context)) boxesAreSwept = false;
+        if (resting.changes() != restingChanges) pairsAreCurrent = false;
+        if (pairsAreCurrent && boxesAreSwept && !sleepersAreNear) break;
 
         // What holds still on their way. Those that sleep there and are met wake, and all is gathered again.
         restingChanges = resting.changes();

@@ -133,12 +133,12 @@ struct World::Impl {
     std::vector<std::uint32_t> met;             // groups
     std::vector<std::uint32_t> roused;          // groups
     SleepScratch sleepScratch;
-    std::vector<ShapePair> pairs;
+    std::vector<ShapePair> pairs, foundPairs;
     ReferencePoses references;                  // of bodies that hardly move
 
-    // Are the contacts those of `pairs`, and would these be found again? Whoever changes anything but how
-    // bodies move says no.
-    bool pairsAreCurrent = false;
+    // Are the contacts those of `pairs`, and would these be found again for the same boxes? Whoever changes
+    // anything but how bodies move says no. And are the boxes those that pairs were looked for among?
+    bool pairsAreCurrent = false, boxesAreSwept = false;
     bool sleepersAreNear = false;  // in the boxes of what moves
     std::uint64_t restingChanges = 0;  // when pairs were last looked for
     std::vector<std::uint32_t> rowBodies;  // by row

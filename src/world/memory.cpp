@@ -67,7 +67,7 @@ MemoryReport World::Impl::memory() const
              paths.bytes() + solverScratch.impacts.paths.bytes()},
         {"boxes and pairs in a step", boxes.size() + pairs.size(), most.boxes + most.pairs,
          boxes.capacity() + pairs.capacity(),
-         bytesOfAll(boxes, pairs, restPairs, sweepScratch.entries, sweepScratch.unsorted,
+         bytesOfAll(boxes, pairs, foundPairs, restPairs, sweepScratch.entries, sweepScratch.unsorted,
                     sweepScratch.bucketEnds, sweepScratch.found, sweepScratch.pairEnds)},
     };
     all.tables[7].bytes += jointLists;

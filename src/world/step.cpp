@@ -202,9 +202,14 @@ StepReport World::Impl::step(double dt, int substeps)
     endsOfDestroyed.clear();
     const ContactWorld world = contactWorld();
     span.next("broad phase");
-    const bool sameContacts = pairsAreCurrent;
-    if (!pairsAreCurrent) {
-        sweepPairs(boxes, restPairs, pairs, sweepScratch, parallel);
+    bool sameContacts = pairsAreCurrent;
+    if (!pairsAreCurrent || !boxesAreSwept) {
+        sweepPairs(boxes, restPairs, foundPairs, sweepScratch, parallel);
+        sameContacts = pairsAreCurrent && foundPairs == pairs;
+        pairs.swap(foundPairs);
+        boxesAreSwept = true;
+    }
+    if (!sameContacts) {
         sortContacts();
         span.next("pairs to contacts");
         matchPairs(world, pairs, contacts.rows, matchScratch, parallel);
