@@ -40,6 +40,13 @@ public:
         const double v = static_cast<double>(value);
         that(v >= low && v <= high, field, value, rule);
     }
+    /// Is its length 1, but for some rounding errors of a turn?
+    template <class Vector>
+    void unit(std::string_view field, const Vector& value)
+    {
+        constexpr double kError = 1e-4;
+        range(field, static_cast<double>(length(value)), 1 - kError, 1 + kError, "must have length 1");
+    }
 
     const std::vector<std::string>& found() const { return found_; }
 
