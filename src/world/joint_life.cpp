@@ -2,6 +2,7 @@
 // Joints come and go, and the calls of World and Body that say so.
 
 #include "joints/own.hpp"
+#include "world/check_alive.hpp"
 #include "world/impl.hpp"
 
 #include <algorithm>
@@ -63,18 +64,6 @@ void World::Impl::destroyJoint(std::uint32_t slot)
     joints.ids.giveBack(slot);
 }
 
-namespace {
-
-Complaint checkJointId(bool alive, const JointId& id)
-{
-    if (alive) return std::nullopt;
-    const std::string given =
-        id.isNull() ? "null" : textOf(id.index) + " (generation " + textOf(id.generation) + ")";
-    return InputError("JointId", given, "must be a live joint of this world");
-}
-
-}  // namespace
-
 Joint World::createJoint(const JointDef& def)
 {
     std::uint32_t layout = 0;
@@ -84,13 +73,13 @@ Joint World::createJoint(const JointDef& def)
 
 void World::destroyJoint(JointId id)
 {
-    if (refuse(checkJointId(impl_->joints.ids.owns(id), id))) return;
+    if (refuse(checkAlive("JointId", impl_->joints.ids.owns(id), id, "joint"))) return;
     impl_->destroyJoint(id.index);
 }
 
 Joint World::joint(JointId id)
 {
-    if (refuse(checkJointId(impl_->joints.ids.owns(id), id))) return {};
+    if (refuse(checkAlive("JointId", impl_->joints.ids.owns(id), id, "joint"))) return {};
     return {this, id};
 }
 
