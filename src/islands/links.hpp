@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <tamias2d/base/config.hpp>
+#include "base/disjoint_sets.hpp"
 
 #include <cstdint>
 #include <vector>
@@ -32,25 +32,17 @@ void linkIslands(const std::vector<Link>& links, const std::vector<bool>& pushab
                  Islands& islands)
 {
     const auto rows = static_cast<std::uint32_t>(pushable.size());
-    std::vector<std::uint32_t>& parent = islands.parent;
-    parent.resize(rows);
-    for (std::uint32_t i = 0; i < rows; ++i) parent[i] = i;
-    const auto root = [&](std::uint32_t i) {
-        while (parent[i] != i) i = parent[i] = parent[parent[i]];
-        return i;
-    };
-    for (const Link& link : links) {
-        if (!pushable[link.a] || !pushable[link.b]) continue;
-        const std::uint32_t a = root(link.a), b = root(link.b);
-        if (a != b) parent[a < b ? b : a] = a < b ? a : b;  // the lowest row leads
-    }
+    DisjointSets sets(islands.parent);
+    sets.reset(rows);
+    for (const Link& link : links)
+        if (pushable[link.a] && pushable[link.b]) sets.join(link.a, link.b);
 
     islands.islandOf.assign(rows, Islands::kNone);
     islands.groundOf.clear();
     islands.sizeOf.clear();
     for (std::uint32_t i = 0; i < rows; ++i) {
         if (!pushable[i]) continue;
-        const std::uint32_t leader = root(i);
+        const std::uint32_t leader = sets.leader(i);
         if (leader == i) {
             islands.islandOf[i] = islands.count();
             islands.groundOf.push_back(Islands::kNone);

@@ -193,7 +193,8 @@ struct World::Impl {
     TouchEvent touchEvent(const Contact& contact) const;
     ContactView view(const Contact& contact) const;
 
-    // world/joint_checks.cpp: `layout` becomes that of a constraint of one's own, else 0.
+    // world/joint_checks.cpp, joint_kind_checks.cpp: `layout` becomes that of a constraint of one's own, else
+    // 0.
     Complaint check(const JointDef& def, std::uint32_t& layout) const;
     Complaint checkKind(const JointDef& def, const JointKind& kind, std::uint32_t& layout) const;
     Complaint checkBodies(const JointDef& def) const;
@@ -210,29 +211,31 @@ struct World::Impl {
 
     void placeEverything();
 
-    // world/world.cpp
+    // world/world_reading.cpp
     template <class Holds>
     bool anyContact(std::uint32_t bodyA, std::uint32_t bodyB, Holds holds) const;
 
-    // world/sleep.cpp: between awake and asleep.
+    // world/sleep.cpp: who falls asleep.
     bool maySleep() const { return settings.allowSleep && !(settings.gravitationConstant > 0); }
+    void fallAsleep(const StepContext& context);
     void makeAsleep(std::uint32_t bodySlot);
+    bool sleepNow(std::uint32_t bodySlot);
+    void storeContacts();
+
+    // world/wake.cpp: who wakes.
     void wake(std::uint32_t bodySlot);
     void wakeGroup(std::uint32_t group, bool withContacts = true);
     void wakeAll();
-    void wakeTouching(std::uint32_t bodySlot, std::uint32_t shapeSlot = kNoShape);
-    void wakeNear(std::uint32_t shapeSlot);
-    void wakeAmong(std::vector<std::uint32_t>& shapeSlots);
     void disturb(std::uint32_t bodySlot);
     void disturbShape(std::uint32_t shapeSlot);
     void forceComes(std::uint32_t bodySlot);
-    bool sleepNow(std::uint32_t bodySlot);
+    void wakeTouching(std::uint32_t bodySlot, std::uint32_t shapeSlot = kNoShape);
+    void wakeNear(std::uint32_t shapeSlot);
+    void wakeAmong(std::vector<std::uint32_t>& shapeSlots);
+    void wakeByLaws(std::uint32_t& faults);
     void askLaws(const SleepGroup& group, double at, std::vector<std::array<double, 3>>& answers,
                  std::uint32_t& faults) const;
     void noteLaws(std::uint32_t group, double at);
-    void wakeByLaws(std::uint32_t& faults);
-    void fallAsleep(const StepContext& context);
-    void storeContacts();
 
     // world/joint_life.cpp
     void disturbJoint(std::uint32_t jointSlot);
