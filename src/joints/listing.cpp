@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
-// Which joints act, in what order, which bodies they tie together, and who solves them: the lists of
+// Which joints act, in what order, which bodies they tie together, and who visits them: the lists of
 // JointSystem.
+#include "base/disjoint_sets.hpp"
 #include "joints/softness.hpp"
-#include "joints/tick.hpp"
+#include "joints/stiff_groups.hpp"
 
 #include <tamias2d/math/scalar.hpp>
 
@@ -44,25 +45,21 @@ void groupBodies(const MotionTable& motions, JointSystem& system)
 {
     std::vector<std::uint32_t>& group = system.groupOf;
     group.assign(motions.rows.size(), JointSystem::kNone);
-    const auto root = [&](std::uint32_t i) {
-        while (group[i] != i) i = group[i] = group[group[i]];
-        return i;
-    };
+    DisjointSets sets(group);
     for (const JointTie& joint : system.ties) {
         const std::uint32_t first = joint.movingRow(motions.rows);
         joint.eachRow([&](std::uint32_t row) {
             if (!motions.rows[row].moves()) return;
             if (group[row] == JointSystem::kNone) group[row] = row;
             if (group[first] == JointSystem::kNone) group[first] = first;
-            const std::uint32_t a = root(first), b = root(row);
-            if (a != b) group[maximum(a, b)] = minimum(a, b);
+            sets.join(first, row);
         });
     }
 
     // A leader stands before all it leads, so its number is known when they ask for it.
     std::uint32_t count = 0;
     for (std::uint32_t i = 0; i < group.size(); ++i)
-        if (group[i] != JointSystem::kNone) group[i] = root(i);
+        if (group[i] != JointSystem::kNone) group[i] = sets.leader(i);
     std::vector<std::uint32_t>& numbers = system.numbers;
     numbers.assign(group.size(), 0);
     for (std::uint32_t i = 0; i < group.size(); ++i) {
@@ -73,32 +70,6 @@ void groupBodies(const MotionTable& motions, JointSystem& system)
         if (g != JointSystem::kNone) g = numbers[g];
     system.wholeGroups.assign(count, 0);
     for (JointTie& joint : system.ties) joint.group = group[joint.movingRow(motions.rows)];
-}
-
-// --- which groups are solved at once: docs/theory/joints.md, section 7
-
-constexpr std::size_t kFew = 4;       // bodies of which solving at once costs no more
-constexpr std::size_t kFill = 4;      // blocks for each body, likewise
-
-bool isUneven(const JointTie& joint, const Table<Motion>& motions)
-{
-    if (!joint.more) return areUneven(motions[joint.rowA], motions[joint.rowB], kUnevenTies);
-    return joint.anyRow([&](std::uint32_t a) {
-        return joint.anyRow([&](std::uint32_t b) { return areUneven(motions[a], motions[b], kUnevenTies); });
-    });
-}
-
-// Does one visit leave something to another one, even where there is no other joint? A pulley has stops
-// beside its rope; one's own rows may be any.
-bool isOfSeveral(const JointRow& joint)
-{
-    return std::holds_alternative<PulleyJoint>(joint.def.kind) || blocksOf(joint.layout) > 1;
-}
-
-// Do its loops make it too expensive?
-bool fillsUp(const DirectGroup& group)
-{
-    return group.matrix.fill() > kFill * group.rows.size();
 }
 
 // What lanes can take: a hinge of two bodies that the passes visit softly, and that have few enough of them
@@ -129,78 +100,6 @@ void choosePlain(const JointTable& table, const Table<Motion>& motions, JointSys
         system.joints.emplace_back();
         static_cast<JointTie&>(system.joints.back()) = tie;
     }
-}
-
-void chooseStiff(JointTable& table, const Table<Motion>& motions, JointSystem& system)
-{
-    const std::size_t groups = system.wholeGroups.size();
-    std::vector<std::size_t>&members = system.members, &bodies = system.bodies;
-    members.assign(groups, 0);
-    bodies.assign(groups, 0);
-    system.stiffGroups.assign(groups, 0);
-    system.unevenGroups.assign(groups, 0);
-    system.piledGroups.assign(groups, 0);
-    system.softenedGroups.assign(groups, 0);
-    system.ownGroups.assign(groups, 0);
-    system.pulledGroups.assign(groups, 0);
-    system.lanedGroups.assign(groups, 0);
-    for (const std::uint32_t group : system.groupOf)
-        if (group != JointSystem::kNone) ++bodies[group];
-    for (JointTie& tie : system.ties) {
-        JointRow& joint = table.rows[tie.joint];
-        members[tie.group] += isOfSeveral(joint) ? 2 : 1;
-        if (std::holds_alternative<OwnJoint>(joint.def.kind)) system.ownGroups[tie.group] = 1;
-        if (std::holds_alternative<TargetJoint>(joint.def.kind)) system.pulledGroups[tie.group] = 1;
-        tie.uneven = isUneven(tie, motions);
-        if (tie.uneven) {
-            joint.stiffSteps = kHold;
-            system.unevenGroups[tie.group] = 1;
-        }
-        if (joint.stiffSteps > 0) {
-            --joint.stiffSteps;
-            system.stiffGroups[tie.group] = 1;
-        }
-    }
-    for (std::size_t g = 0; g < groups; ++g) {
-        if (bodies[g] <= kFew) system.stiffGroups[g] = 1;
-        if (!hasStiffSize(system, static_cast<std::uint32_t>(g))) system.stiffGroups[g] = 0;
-    }
-    // Those that count their steps are looked at again in the next one.
-    for (const JointTie& tie : system.ties)
-        if (system.stiffGroups[tie.group] && !tie.uneven && table.rows[tie.joint].stiffSteps > 0)
-            system.isAltered = true;
-}
-
-// The joints of stiff groups, and the order in which their bodies are eliminated.
-void orderStiff(const Table<Motion>& motions, JointSystem& system)
-{
-    const std::size_t groups = system.wholeGroups.size();
-    std::vector<std::size_t>& placeOf = system.placeOf;
-    placeOf.assign(groups, 0);
-    system.directCount = 0;
-    for (std::size_t g = 0; g < groups; ++g) {
-        if (!system.stiffGroups[g]) continue;
-        placeOf[g] = system.directCount++;
-        if (system.direct.size() < system.directCount) system.direct.emplace_back();
-        system.direct[placeOf[g]].joints.clear();
-    }
-    for (std::size_t j = 0; j < system.joints.size(); ++j)
-        if (system.stiffGroups[system.joints[j].group])
-            system.direct[placeOf[system.joints[j].group]].joints.push_back(static_cast<std::uint32_t>(j));
-    std::size_t kept = 0;
-    for (std::size_t d = 0; d < system.directCount; ++d) {
-        DirectGroup& direct = system.direct[d];
-        direct.build(system.joints, motions);
-        if (fillsUp(direct)) {
-            system.stiffGroups[system.joints[direct.joints.front()].group] = 0;
-            continue;
-        }
-        if (kept != d) std::swap(system.direct[kept], direct);
-        ++kept;
-    }
-    system.directCount = kept;
-    for (JointRows& rows : system.joints)
-        rows.rigidly = system.members[rows.group] == 1 || system.stiffGroups[rows.group];
 }
 
 // For what guardLightBodies asks in every tick.
@@ -280,42 +179,6 @@ void keepLists(JointTable& table, const BodyTable& bodies, const MotionTable& mo
 }
 
 }  // namespace
-
-bool areUneven(const Motion& a, const Motion& b, double ratio)
-{
-    const auto p = static_cast<double>(a.greatestInvMass()), q = static_cast<double>(b.greatestInvMass());
-    return p > 0 && q > 0 && (p > ratio * q || q > ratio * p);
-}
-
-void soften(JointSystem& system, std::size_t direct)
-{
-    for (const std::uint32_t j : system.direct[direct].joints) {
-        system.joints[j].rigidly = false;
-        system.stiffGroups[system.joints[j].group] = 0;
-        system.softenedGroups[system.joints[j].group] = 1;
-    }
-    system.isAltered = true;
-    --system.directCount;
-    if (direct != system.directCount) std::swap(system.direct[direct], system.direct[system.directCount]);
-    ++system.fallbacks;
-}
-
-bool stiffen(JointSystem& system, const Table<Motion>& motions, std::uint32_t group)
-{
-    if (system.direct.size() == system.directCount) system.direct.emplace_back();
-    DirectGroup& direct = system.direct[system.directCount];
-    direct.joints.clear();
-    for (std::uint32_t j = 0; j < system.joints.size(); ++j)
-        if (system.joints[j].group == group) direct.joints.push_back(j);
-    direct.build(system.joints, motions);
-    if (fillsUp(direct)) return false;
-    direct.begins = true;
-    system.isAltered = true;
-    ++system.directCount;
-    system.stiffGroups[group] = 1;
-    for (const std::uint32_t j : direct.joints) system.joints[j].rigidly = true;
-    return true;
-}
 
 void gatherJoints(JointTable& table, const BodyTable& bodies, const MotionTable& motions, JointSystem& system)
 {
