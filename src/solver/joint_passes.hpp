@@ -26,6 +26,13 @@ struct JointWorld {
 /// One visit to a joint; returns the greatest change of speed it made.   [m/s]
 real visitJoint(JointRows& joint, const Table<Motion>& motions, Table<LaneRow>& velocities);
 
+/// One visit to a group at once; where that finds no solution, to its joints one by one.
+real visitGroup(DirectGroup& group, JointSystem& system, const Table<Motion>& motions,
+                Table<LaneRow>& velocities);
+
+/// What a joint aims at, at these velocities; returns by how much that changed.   [m/s]
+real aimJoint(const JointWorld& world, const Table<LaneRow>& velocities, JointRows& joint);
+
 /// One pass over the joints, in the islands that `visited` says, which aim anew; over all if it is null. Sets
 /// `unrest` of islands of which a speed was changed by more than `restless` [m/s].
 void passOverJoints(const JointWorld& world, JointSystem& system, real restless, const std::uint8_t* visited,
