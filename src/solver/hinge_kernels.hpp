@@ -28,7 +28,7 @@ struct HingeStart {
 };
 
 /// What is done with runs of blocks of hinges; compiled as ContactKernels are, and with the same care. The
-/// equations are those of joints/rows.cpp, of which [n] is in docs/theory/joints.md. Blocks are walked as
+/// equations are those of joints/rows.hpp, of which [n] is in docs/theory/joints.md. Blocks are walked as
 /// seldom as the order of a tick allows: they are more than a cache holds.
 template <int W>
 struct HingeKernels {

@@ -4,9 +4,9 @@
 #include "solver/hinge_lanes.hpp"
 
 #include "joints/softness.hpp"
-#include "solver/contact_block.hpp"
 #include "solver/contact_lanes.hpp"
 #include "solver/hinge_kernels.hpp"
+#include "solver/hinge_slots.hpp"
 #include "solver/with_lanes.hpp"
 
 #include <algorithm>
@@ -15,23 +15,6 @@
 
 namespace tamias2d::inline TAMIAS_PRECISION {
 namespace {
-
-template <int W>
-void setDouble(DoubleLane<W>& wide, int lane, double value)
-{
-    if constexpr (W == 1)
-        wide.v = value;
-    else
-        wide.v[lane / DoubleLane<W>::kWidth][lane % DoubleLane<W>::kWidth] = value;
-}
-template <int W>
-double doubleOf(const DoubleLane<W>& wide, int lane)
-{
-    if constexpr (W == 1)
-        return wide.v;
-    else
-        return wide.v[lane / DoubleLane<W>::kWidth][lane % DoubleLane<W>::kWidth];
-}
 
 template <int W>
 class HingeLanesOf final : public HingeLanes {
@@ -175,7 +158,6 @@ private:
     void color(const JointSystem& system, const MotionTable& motions);
     void place(const JointTie& tie, std::size_t slot, const JointRow& joint, const BodyTable& bodies,
                const MotionTable& motions, const Islands& islands, const TickRows& rows);
-    void placeAngle(Angle& angle, int lane, const JointRow& joint, real invInertia);
 };
 
 // Each gets the first color that none of its bodies has yet; they have fewer hinges than there are colors.
@@ -299,49 +281,9 @@ void HingeLanesOf<W>::place(const JointTie& tie, std::size_t slot, const JointRo
     source.strained[lane] = joint.strainedTicks;
     source.anyStrained = source.anyStrained || joint.strainedTicks != 0;
     setDouble(source.angle, lane, joint.angle);
-    setLane(source.carried, lane, {joint.impulses[JointSlot::kBlock], joint.impulses[JointSlot::kBlock + 1]});
-    setLane(source.sums, lane, {joint.stepSums[JointSlot::kBlock], joint.stepSums[JointSlot::kBlock + 1]});
+    readImpulses(joint.impulses, lane, source.carried);
+    readImpulses(joint.stepSums, lane, source.sums);
     if (block.turns()) placeAngle(angles_[block.angle], lane, joint, bodyA.invInertia() + bodyB.invInertia());
-}
-
-// `invInertia` is the sum of those of its bodies.
-template <int W>
-void HingeLanesOf<W>::placeAngle(Angle& angle, int lane, const JointRow& joint, real invInertia)
-{
-    const auto& hinge = std::get<RevoluteJoint>(joint.def.kind);
-    const std::uint32_t bit = 1u << lane;
-    angle.work[lane] = joint.stepWork;
-    if (hinge.spring) {
-        const real inertia = invInertia > 0 ? 1 / invInertia : real(0);
-        const real turn = static_cast<real>(kTwoPi) * hinge.spring->frequency;
-        angle.springs |= bit;
-        angle.stiffness.v[lane] = inertia * turn * turn;
-        angle.damping.v[lane] = 2 * hinge.spring->dampingRatio * inertia * turn;
-        setDouble(angle.zero, lane, hinge.referenceAngle + static_cast<double>(hinge.spring->rest));
-    }
-    if (hinge.motor) {
-        angle.motors |= bit;
-        angle.speed.v[lane] = hinge.motor->speed;
-        angle.strength.v[lane] = hinge.motor->maxForce;
-    }
-    const auto limit = [&](int side, real at, bool has) {
-        if (!has) return;
-        angle.limited[side] |= bit;
-        setDouble(angle.rest[side], lane, hinge.referenceAngle + static_cast<double>(at));
-        if (joint.held[side]) angle.held[side] |= bit;
-    };
-    if (hinge.limits) {
-        limit(0, hinge.limits->lower, hinge.limits->lower > -kUnlimited);
-        limit(1, hinge.limits->upper, hinge.limits->upper < kUnlimited);
-    }
-    const auto set = [&](AngleImpulses<Lane<W>>& to, const real* from) {
-        to.spring.v[lane] = from[JointSlot::kSpring];
-        to.motor.v[lane] = from[JointSlot::kMotor];
-        to.limits[0].v[lane] = from[JointSlot::kLower];
-        to.limits[1].v[lane] = from[JointSlot::kUpper];
-    };
-    set(angle.carried, joint.impulses);
-    set(angle.sums, joint.stepSums);
 }
 
 template <int W>
@@ -355,36 +297,10 @@ void HingeLanesOf<W>::store(const JointSystem& system, JointTable& joints)
             const auto lane = static_cast<int>(slot % W);
             if ((block.active >> lane & 1u) == 0) continue;
             JointRow& joint = joints.rows[source.joint[lane]];
-            const auto point = [lane](const BasicVec2<Lane<W>>& from, real* to) {
-                to[JointSlot::kBlock] = from.x.v[lane];
-                to[JointSlot::kBlock + 1] = from.y.v[lane];
-            };
-            joint.forgetLoads();
-            point(source.carried, joint.impulses);
-            point(source.sums, joint.stepSums);
-            joint.stepImpulse = laneOf(source.sums, lane);
-            joint.angle = doubleOf(source.angle, lane);
-            joint.strainedTicks = source.strained[lane];
-            if ((source.stiffened >> lane & 1u) != 0) {
-                joint.stiffSteps = kHold;
-                if (hasStiffSize(system, block.group[lane])) stiffens_[chunk] = 1;
-            }
-            joint.held[0] = joint.held[1] = false;
-            const Angle* const angle = run.angleOf(block);
-            if (angle == nullptr) continue;
-            const auto turns = [lane](const AngleImpulses<Lane<W>>& from, real* to) {
-                to[JointSlot::kSpring] = from.spring.v[lane];
-                to[JointSlot::kMotor] = from.motor.v[lane];
-                to[JointSlot::kLower] = from.limits[0].v[lane];
-                to[JointSlot::kUpper] = from.limits[1].v[lane];
-            };
-            turns(angle->carried, joint.impulses);
-            turns(angle->sums, joint.stepSums);
-            const real* const sums = joint.stepSums;
-            joint.stepTurn = sums[JointSlot::kSpring] + sums[JointSlot::kMotor] + sums[JointSlot::kLower] -
-                             sums[JointSlot::kUpper];
-            joint.stepWork = angle->work[lane];
-            for (const int side : {0, 1}) joint.held[side] = (angle->held[side] >> lane & 1u) != 0;
+            storeHinge(source, run.angleOf(block), lane, joint);
+            if ((source.stiffened >> lane & 1u) == 0) continue;
+            joint.stiffSteps = kHold;
+            if (hasStiffSize(system, block.group[lane])) stiffens_[chunk] = 1;
         }
     });
     if (std::find(stiffens_.begin(), stiffens_.end(), std::uint8_t{1}) != stiffens_.end()) ++joints.changes;

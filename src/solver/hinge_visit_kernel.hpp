@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// One visit to W hinges: as solveRows in joints/rows.cpp does it, all rows at once.
+// One visit to W hinges: as solveRows in joints/row_visits.cpp does it, all rows at once.
 #pragma once
 
 #include "joints/softness.hpp"
