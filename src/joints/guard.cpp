@@ -63,12 +63,13 @@ bool guardLightBodies(const JointTable& table, JointSystem& system, Table<Motion
         joint.turnMass = turnMassOf(joint, dot(onB, perpendicular(joint.across.linearB)), rows[joint.rowA],
                                     rows[joint.rowB], context);
     }
+    constexpr real kMostGuard = real(1e12);  // times its own inertia: whatever pulls, it can be turned
     bool changed = false;
     const real share = kStiff * context.h;
     const real *const own = system.ownInvInertia.data(), *const pull = system.pull.data();
     const auto guard = [&](std::uint32_t row) {
         const real needed = share * pull[row];
-        const real used = own[row] * needed > 1 ? 1 / needed : own[row];
+        const real used = own[row] * needed > 1 ? maximum(1 / needed, own[row] / kMostGuard) : own[row];
         if (used == rows[row].invInertia) return;
         changed = true;
         takeInertia(rows[row], used);
