@@ -271,8 +271,9 @@ TAMIAS_INLINE T pushRow(const ContactRow<T>& row, int count, T bias1, T bias2, B
 
 /// Takes back the angular momentum that a push over a time `h` gave two bodies that slide along each other,
 /// by opposite impulses at their centers, `d` apart: farther apart, they pass more slowly [GD1]. Only where
-/// they press on each other: two that meet in flight keep their energy to the last digit instead. Returns the
-/// impulse on B [N*s].
+/// they press on each other: two that meet in flight keep their energy to the last digit instead. No push
+/// counts for more than that distance, as pushes of bodies that lie in each other may. Returns the impulse on
+/// B [N*s].
 template <class T>
 TAMIAS_INLINE BasicVec2<T> repayPush(const ContactRow<T>& row, T pushed, T load, BasicVec2<T> d, T h,
                                      BasicVec2<T>& velocityA, BasicVec2<T>& velocityB)
@@ -282,7 +283,9 @@ TAMIAS_INLINE BasicVec2<T> repayPush(const ContactRow<T>& row, T pushed, T load,
     const T squared = dot(d, d);
     const auto owes =
         isFree(row.invMassA) & isFree(row.invMassB) & (pushed > zero) & (load > zero) & (squared > zero);
-    const T gained = h * pushed * cross(row.normal, velocityB - velocityA);
+    const T inverse = row.invMassA.x + row.invMassB.x, way = h * pushed * inverse;
+    const T moment = select(way * way > squared, squareRoot(squared) / inverse, h * pushed);   // [kg*m]
+    const T gained = moment * cross(row.normal, velocityB - velocityA);
     const BasicVec2<T> impulse = select(owes, -gained / squared, zero) * perpendicular(d);
     velocityA -= {row.invMassA.x * impulse.x, row.invMassA.y * impulse.y};
     velocityB += {row.invMassB.x * impulse.x, row.invMassB.y * impulse.y};

@@ -30,6 +30,20 @@ TAMIAS_INLINE Lane<W> repaidSpin(const BodyRows& bodies, const FourLanes<W>& mas
     return select(owes, masses.z * h / masses.x * turn, zero);
 }
 
+// No body goes farther in a tick than the fastest may, whatever contacts and joints have asked of it: far out
+// numbers are coarse, and what reckons with such ways ends in none. Motion::velocity is clamped after the
+// tick.
+template <int W>
+TAMIAS_INLINE void holdBack(FourLanes<W>& velocity, Lane<W> most, Lane<W> mostTurn)
+{
+    const LaneMask<W> fast =
+        (absolute(velocity.x) > most) | (absolute(velocity.y) > most) | (absolute(velocity.z) > mostTurn);
+    if (!any(fast)) return;
+    velocity.x = select(fast, clamp(velocity.x, -most, most), velocity.x);
+    velocity.y = select(fast, clamp(velocity.y, -most, most), velocity.y);
+    velocity.z = select(fast, clamp(velocity.z, -mostTurn, mostTurn), velocity.z);
+}
+
 // With the second kick, if `kicks`.
 template <int W, bool kicks>
 std::uint32_t driftAnd(const BodyRows& bodies, const StepContext& context, bool kicked, bool pushed)
@@ -38,7 +52,7 @@ std::uint32_t driftAnd(const BodyRows& bodies, const StepContext& context, bool 
     using Double = DoubleLane<W>;
     Motion* const motions = bodies.motions;
     TickRows& rows = bodies.rows;
-    const Wide zero(real(0));
+    const Wide zero(real(0)), most(mostSpeed(context.lengthUnit)), mostTurn(mostSpin());
     const Double time(static_cast<double>(context.h));
     std::uint32_t clamped = 0;
     eachRun<W>(bodies, [&](const auto& run) {
@@ -49,6 +63,7 @@ std::uint32_t driftAnd(const BodyRows& bodies, const StepContext& context, bool 
         change = {solved.x + steady.x, solved.y + steady.y, change.z + (velocity.z + steady.z), zero};
         if (!kicks) store<W>(change, rows.changes.data(), 0, run);
         if (kicked) velocity.z -= repaidSpin(bodies, masses, steady, solved, context, run);
+        holdBack(velocity, most, mostTurn);
         velocity.w = zero;
         if (!kicks) store<W>(velocity, motions, kVelocity, run);
 
