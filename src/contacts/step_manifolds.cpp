@@ -8,10 +8,17 @@
 namespace tamias2d::inline TAMIAS_PRECISION {
 namespace {
 
-// What is swept is looked at again anyway, and what came in mid-step is for no pose.
+// What is swept is looked at again anyway, and what came in mid-step is for no pose. Bodies that move along
+// together are where they were to each other.
 bool keepsManifold(const ContactFacts& of, const MotionTable& motions)
 {
-    return !of.swept && of.versionA == motions.versions[of.rowA] && of.versionB == motions.versions[of.rowB];
+    if (of.swept || of.versionA != motions.versions[of.rowA] || of.versionB != motions.versions[of.rowB])
+        return false;
+    const CenterWay &a = motions.centers[of.rowA], &b = motions.centers[of.rowB];
+    const auto size = [](auto v) { return absolute(v.x) + absolute(v.y); };
+    const real travel = size(b.glide - a.glide) + size(b.bend - a.bend);
+    const double off = size((b.center - a.center) - of.between);
+    return off + static_cast<double>(travel) <= static_cast<double>(of.room);
 }
 
 void updateBatch(std::span<Contact* const> contacts, const ShapeTable& shapes, const MotionTable& motions,
@@ -33,6 +40,7 @@ void updateBatch(std::span<Contact* const> contacts, const ShapeTable& shapes, c
         contact.apart = result.apart;
         contact.versionA = motions.versions[contact.rowA];
         contact.versionB = motions.versions[contact.rowB];
+        contact.between = motions.centers[contact.rowB].center - motions.centers[contact.rowA].center;
         counts.swept += contact.swept ? 1 : 0;
         placeContact(contact, motions.rows[contact.rowA], motions.rows[contact.rowB]);
     }
@@ -52,7 +60,7 @@ ContactFacts factsOf(const Contact& c, const Tuning& tuning)
     bool linked = isTouching(c, tuning);
     for (int i = 0; i < c.count; ++i) linked = linked || c.points[i].normalImpulse > 0;
     const Nearness nearness = linked ? Nearness::Linked : c.count > 0 ? Nearness::Near : Nearness::Apart;
-    return {c.rowA, c.rowB, c.versionA, c.versionB, nearness, c.swept};
+    return {c.rowA, c.rowB, c.versionA, c.versionB, c.between, kManifoldRoom * c.restGap, nearness, c.swept};
 }
 
 ManifoldCounts updateForStep(ContactTable& table, bool same, const ShapeTable& shapes,

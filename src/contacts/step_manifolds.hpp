@@ -5,6 +5,10 @@
 
 namespace tamias2d::inline TAMIAS_PRECISION {
 
+/// How far the centers of two bodies may move against each other before their manifold is found anew, and how
+/// far turning may take the points of each.   [rest gaps]
+inline constexpr real kManifoldRoom = real(0.25);
+
 /// What the manifolds of some contacts came to.
 struct ManifoldCounts {
     std::uint32_t kept = 0;        ///< manifolds of the step before
@@ -20,7 +24,7 @@ struct ManifoldScratch {
 };
 
 /// The manifolds of all contacts for the whole step, from 0 to dt, which `paths` must be for, placed where
-/// the bodies are. A contact keeps the one it has while both its bodies stay near the poses that it is for.
+/// the bodies are. A contact keeps the one it has while its bodies hardly turn, nor move against each other.
 /// Pairs that may still meet in another way are flagged `swept`: they are looked at again in every tick.
 /// The facts of contacts are those of the end of the last step if `same`, and are found anew if not.
 ManifoldCounts updateForStep(ContactTable& contacts, bool same, const ShapeTable& shapes,

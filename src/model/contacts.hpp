@@ -52,7 +52,8 @@ struct Contact {
     bool swept = false;          // looked at again in every tick
     Apart apart;                 // of a swept pair: so it is apart now, or more
     bool atImpact = false;       // the manifold is that of a moment of impact
-    std::uint32_t versionA = 0, versionB = 0;   // of the poses of its bodies that the manifold is for
+    std::uint32_t versionA = 0, versionB = 0;   // of the angles of its bodies that the manifold is for,
+    DVec2 between;               // and from center to center then, from A to B   [m]
     bool touching = false;       // at the end of the last step
     bool crowded = false;        // between bodies of at least Tuning::crowd that meet
     std::int8_t stiffSteps =
@@ -69,6 +70,8 @@ enum class Nearness : std::uint8_t { Apart, Near, Linked };
 struct ContactFacts {
     std::uint32_t rowA, rowB;
     std::uint32_t versionA, versionB;
+    DVec2 between;
+    real room;  // how far its bodies may move against each other before its manifold is another   [m]
     Nearness nearness;
     bool swept;
 };

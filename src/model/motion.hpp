@@ -73,6 +73,12 @@ struct alignas(64) Motion {
     bool moves() const { return invMass.x + invMass.y > 0 || invInertia > 0; }
 };
 
+/// Where the center of a body is, and what takes it on within the step.
+struct CenterWay {
+    Position center;   // [m]
+    Vec2 glide, bend;  // by its velocity, by twice its acceleration: dt v, dt^2 a   [m]
+};
+
 /// The bodies of a step, and which row each one has: first those that take part, then the still ones that
 /// they may meet (static, or kinematic at rest); each sorted by slot, but for those that come in mid-step.
 struct MotionTable {
@@ -81,8 +87,9 @@ struct MotionTable {
     Table<Motion> rows;
     std::vector<std::uint32_t> rowOf;  // by body slot; kNone for those that are not here
     std::uint32_t parts = 0;           // how many of the rows took part from the start
-    std::vector<std::uint32_t> versions;   // by row: of the pose that manifolds of it are kept for,
-    std::vector<Position> origins;         // and where the center was then
+    std::vector<std::uint32_t> versions;   // by row: of the angle that manifolds of it are kept for
+    std::vector<Position> origins;         // near the center: where lanes count its way from   [m]
+    Table<CenterWay> centers;              // by row
     std::vector<real> rooms;  // how far beyond their expected ways boxes made in this step reach at least [m]
 
     std::uint32_t rowFor(std::uint32_t body) const { return body < rowOf.size() ? rowOf[body] : kNone; }

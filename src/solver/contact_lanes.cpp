@@ -21,7 +21,7 @@ public:
                const StepContext& context) override;
     bool fits(const Table<Contact>& contacts, const std::vector<std::uint8_t>& renewed,
               const StepContext& context) const override;
-    void carryOn(const Islands& islands) override;
+    void carryOn(const Islands& islands, const TickRows& rows) override;
     bool hasLane(std::uint32_t contact) const override
     {
         return contact < laneOf_.size() && laneOf_[contact] != kNone;
@@ -112,6 +112,10 @@ private:
         });
     }
     static std::uint8_t kindOf(const Contact& c);
+    static Vec2 startOf(const TickRows& rows, std::uint32_t rowA, std::uint32_t rowB)
+    {
+        return toVec2(rows.origins[rowB].center - rows.origins[rowA].center);
+    }
     void sortByKind(const ContactTable& contacts);
     void store(std::size_t slot, Contact& row) const;
     void leaveEmpty(std::size_t slot);
@@ -173,7 +177,7 @@ bool ContactLanesOf<W>::fits(const Table<Contact>& contacts, const std::vector<s
 }
 
 template <int W>
-void ContactLanesOf<W>::carryOn(const Islands& islands)
+void ContactLanesOf<W>::carryOn(const Islands& islands, const TickRows& rows)
 {
     solved_ = false;
     parallel_.forEach(blocks_.size(), kGrain, [&](const Chunk& chunk) {
@@ -186,8 +190,10 @@ void ContactLanesOf<W>::carryOn(const Islands& islands)
             b.oneIsland = true;
             for (int lane = 0; lane < W; ++lane) {
                 if (slots_[k * W + static_cast<std::size_t>(lane)] == kNone) continue;
-                b.island[lane] = islandOf(islands, b.rowA[lane], b.rowB[lane]);
+                const std::uint32_t rowA = b.rowA[lane], rowB = b.rowB[lane];
+                b.island[lane] = islandOf(islands, rowA, rowB);
                 b.oneIsland = b.oneIsland && b.island[lane] == b.island[0];
+                setLane(s.start, lane, startOf(rows, rowA, rowB));
             }
         }
     });
@@ -340,7 +346,7 @@ void ContactLanesOf<W>::load(std::uint32_t contact, const Contact& c, const Moti
     b.row.surfaceSpeed.v[lane] = c.surfaceSpeed;
     b.row.blockInverse.v[lane] = 0;
     s.slowest.v[lane] = slowestInCrowd(c, context_);
-    setLane(s.start, lane, toVec2(rows.origins[c.rowB].center - rows.origins[c.rowA].center));
+    setLane(s.start, lane, startOf(rows, c.rowA, c.rowB));
     s.restGap.v[lane] = c.restGap;
     s.radiusA.v[lane] = c.radiusA;
     s.radiusB.v[lane] = c.radiusB;

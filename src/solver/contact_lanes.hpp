@@ -43,13 +43,13 @@ public:
     /// Gives each contact that may be plain in this step a lane.
     virtual void build(const ContactTable& contacts, const MotionTable& motions, const Islands& islands,
                        const StepContext& context) = 0;
-    /// Is each contact still of the kind that it was when the lanes were built, but for a few with a point more
-    /// or less? Only those that are `renewed` may have changed. Then what is in a lane may stay there for
-    /// another step.
+    /// Is each contact still of the kind that it was when the lanes were built, but for a few with a point
+    /// more or less? Only those that are `renewed` may have changed. Then what is in a lane may stay there
+    /// for another step.
     virtual bool fits(const Table<Contact>& contacts, const std::vector<std::uint8_t>& renewed,
                       const StepContext& context) const = 0;
     /// Starts another step with what is in the lanes: sums begin at nothing, islands may be others.
-    virtual void carryOn(const Islands& islands) = 0;
+    virtual void carryOn(const Islands& islands, const TickRows& rows) = 0;
     virtual bool hasLane(std::uint32_t contact) const = 0;
     /// Takes the contact into its lane.
     virtual void load(std::uint32_t contact, const Contact& row, const MotionTable& motions,

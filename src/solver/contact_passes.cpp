@@ -42,7 +42,8 @@ void ContactPasses::use(LaneWidth width)
 }
 
 void ContactPasses::begin(ContactTable& contacts, const MotionTable& motions, const Islands& islands,
-                          const StepContext& context, bool same, const std::vector<std::uint8_t>& renewed)
+                          const TickRows& rows, const StepContext& context, bool same,
+                          const std::vector<std::uint8_t>& renewed)
 {
     const std::size_t count = contacts.rows.size();
     islands_ = &islands;
@@ -55,7 +56,7 @@ void ContactPasses::begin(ContactTable& contacts, const MotionTable& motions, co
             lanes_->drop(i);
             inLane_[i] = 0;
         }
-        lanes_->carryOn(islands);
+        lanes_->carryOn(islands, rows);
     } else {
         std::fill(inLane_.begin(), inLane_.end(), std::uint8_t{0});
         colorEnds_ = contacts.colorEnds;

@@ -25,7 +25,8 @@ public:
     /// they are `same`, one by one, as at the end of the last step, those in lanes stay there, but for those
     /// that are `renewed`.
     void begin(ContactTable& contacts, const MotionTable& motions, const Islands& islands,
-               const StepContext& context, bool same, const std::vector<std::uint8_t>& renewed);
+               const TickRows& rows, const StepContext& context, bool same,
+               const std::vector<std::uint8_t>& renewed);
     /// Tells the table what all have done.
     void end(ContactTable& contacts);
 

@@ -227,7 +227,7 @@ SolverCounts solve(SolverStage& stage, const StepContext& context)
         lanes.origins[i] = {stage.motions.origins[i]};
         lanes.poses[i] = poseRow(m, stage.motions.origins[i]);
     }
-    scratch.passes.begin(stage.contacts, stage.motions, stage.islands, context,
+    scratch.passes.begin(stage.contacts, stage.motions, stage.islands, lanes, context,
                          stage.sameContacts && stage.system.empty(), stage.renewed);
     seatJoints(stage);
     HingeLanes& hinges = scratch.hinges();

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Where bodies are expected to go, and the boxes that hold their shapes all along. What hardly moves keeps
-// its boxes, and with them its pairs; and its manifolds.
+// its boxes, and with them its pairs; what hardly turns its manifolds with what moves along with it.
 
+#include "contacts/step_manifolds.hpp"
 #include "contacts/update.hpp"
 #include "world/impl.hpp"
 
@@ -10,23 +11,33 @@
 namespace tamias2d::inline TAMIAS_PRECISION {
 namespace {
 
-// Parts of the width of a body: how far its points may go before its boxes are made anew, and before its
-// manifolds are. Two that went as far as they may are off by no more than their rest gap. What moves on
+// Parts of the width of a body: how far its points may go before its boxes are made anew. What moves on
 // leaves its boxes anyway, but should not leave the way they are for at each touch: found by counting
 // instructions.
 constexpr real kBoxRoom = real(0.005), kMovingRoom = real(0.02);
-real manifoldRoom(const StepContext& context)
+
+// By how much any of its points may go on by turning before its manifolds are found anew.   [m]
+real turnRoom(real width, const StepContext& context)
 {
-    return context.tuning.restGap / 4;
+    return kManifoldRoom * context.tuning.restGap * width;
 }
 
-// How far any point of the body goes in the step at most.   [m]
-real travelOf(const Motion& m, const StepContext& context)
+CenterWay centerWayOf(const Motion& m, const StepContext& context)
 {
     const real dt = static_cast<real>(context.dt);
-    const auto bound = [](Vec2 v) { return absolute(v.x) + absolute(v.y); };
-    const real turn = absolute(m.spin) + dt * absolute(expectedSpinRate(m, context.invH));
-    return dt * (bound(m.velocity) + dt * bound(expectedAcceleration(m, context.invH)) + m.extent * turn);
+    return {m.center, dt * m.velocity, dt * (dt * expectedAcceleration(m, context.invH))};
+}
+
+// How far any point of the body goes in the step at most: with its center, and by turning.   [m]
+real travelOf(const CenterWay& way)
+{
+    const auto size = [](Vec2 v) { return absolute(v.x) + absolute(v.y); };
+    return size(way.glide) + size(way.bend);
+}
+real turnOf(const Motion& m, const StepContext& context)
+{
+    const real dt = static_cast<real>(context.dt);
+    return dt * m.extent * (absolute(m.spin) + dt * absolute(expectedSpinRate(m, context.invH)));
 }
 
 }  // namespace
@@ -45,12 +56,12 @@ bool World::Impl::sweepBody(std::size_t row, const StepContext& context, SweepBo
     const Motion& m = motions.rows[row];
     const BodyRow& body = bodies.rows[m.body];
     ReferencePoses::Row& known = references.rows[body.mover];
-    const real dt = static_cast<real>(context.dt), travel = travelOf(m, context);
-    const bool keepsManifolds = known.ofManifolds.holds(m, travel);
+    const CenterWay& way = motions.centers[row] = centerWayOf(m, context);
+    const real turn = turnOf(m, context), travel = travelOf(way) + turn;
+    const bool keepsManifolds = known.ofManifolds.holds(m, turn);
     const real width = keepsManifolds ? real(0) : shapes.widthOf(body);
-    if (!keepsManifolds) known.ofManifolds.renew(m, manifoldRoom(context) * width);
+    if (!keepsManifolds) known.ofManifolds.renew(m, turnRoom(width, context));
     motions.versions[row] = known.ofManifolds.version;
-    motions.origins[row] = known.ofManifolds.center;
 
     const bool moves = m.moves() || m.velocity != Vec2{} || m.spin != 0;
     bool keeps = known.ofBoxes.holds(m, travel);
@@ -61,6 +72,7 @@ bool World::Impl::sweepBody(std::size_t row, const StepContext& context, SweepBo
         ++k;
     }
     motions.rooms[row] = 0;
+    motions.origins[row] = keeps ? known.ofBoxes.center : m.center;
     if (keeps) return false;
 
     const real size = width > 0 ? width : shapes.widthOf(body);
@@ -70,7 +82,8 @@ bool World::Impl::sweepBody(std::size_t row, const StepContext& context, SweepBo
     for (const std::uint32_t slot : shapes.of(body)) {
         const Convex& convex = shapes.convex(slot);
         const real margin = 3 * context.tuning.restGap * convex.size + room;
-        *next++ = {sweptBounds(convex, path, m.center, 0, dt, margin), slot, m.body, moves};
+        *next++ = {sweptBounds(convex, path, m.center, 0, static_cast<real>(context.dt), margin), slot,
+                   m.body, moves};
     }
     known.ofBoxes.renew(m, room);
     return true;
@@ -83,10 +96,11 @@ void World::Impl::sweepStill(std::size_t row, const StepContext& context)
     BodyRow& body = bodies.rows[m.body];
     bodies.moverFor(body);  // a ground that is met for the first time has none yet
     references.rows.resize(bodies.movers.slots());
-    ReferencePose& pose = references.rows[body.mover].ofManifolds;
-    if (!pose.holds(m, travelOf(m, context))) pose.renew(m, manifoldRoom(context) * shapes.widthOf(body));
-    motions.versions[row] = pose.version;
-    motions.origins[row] = pose.center;
+    ReferenceTurn& turn = references.rows[body.mover].ofManifolds;
+    if (!turn.holds(m, turnOf(m, context))) turn.renew(m, turnRoom(shapes.widthOf(body), context));
+    motions.versions[row] = turn.version;
+    motions.centers[row] = centerWayOf(m, context);
+    motions.origins[row] = m.center;
 }
 
 // All that take part in the step. Returns whether any box is another one than in the step before.
@@ -96,6 +110,7 @@ bool World::Impl::sweepBodies(const StepContext& context)
     references.rows.resize(bodies.movers.slots());
     motions.versions.resize(motions.rows.size());
     motions.origins.resize(motions.rows.size());
+    motions.centers.resize(motions.rows.size());
     motions.rooms.assign(motions.rows.size(), 0);
 
     // By chunk: how many boxes, then where they begin.

@@ -197,6 +197,7 @@ std::uint32_t World::Impl::gather(const ForceField& forces, const StepContext& c
     paths.grow(motions.rows.size());
     motions.versions.resize(motions.rows.size());
     motions.origins.resize(motions.rows.size());
+    motions.centers.resize(motions.rows.size());
     motions.rooms.resize(motions.rows.size());
     for (std::size_t row = motions.parts; row < motions.rows.size(); ++row) sweepStill(row, context);
     noteRows();

@@ -61,7 +61,7 @@ MemoryReport World::Impl::memory() const
          room * sizeof(Contact) + bytesOf(asleep.groups)},
         {"bodies in a step", motions.rows.size(), most.motions, motions.rows.capacity(),
          bytesOfAll(bodies.parts, motions.rows, motions.rowOf, motions.versions, motions.origins,
-                    motions.rooms, references.rows, ticks.origins, ticks.poses, ticks.starts,
+                    motions.centers, motions.rooms, references.rows, ticks.origins, ticks.poses, ticks.starts,
                     ticks.velocities, ticks.steady, ticks.expected, ticks.loads, ticks.pushes, ticks.changes,
                     ticks.kicks, ticks.predicted, ticks.ways, solverScratch.impacts.flights) +
              paths.bytes() + solverScratch.impacts.paths.bytes()},

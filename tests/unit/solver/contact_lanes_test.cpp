@@ -131,7 +131,7 @@ TEST(ContactLanes, GiveTheBitsOfVisitingContactsOneByOne)
 
             ContactPasses passes(parallel);
             passes.use(width);
-            passes.begin(wide.contacts, wide.motions, wide.islands, wide.context, false, {});
+            passes.begin(wide.contacts, wide.motions, wide.islands, wide.rows, wide.context, false, {});
             passes.prepare(wide.contacts, wide.motions, wide.rows, wide.context);
             passes.solve(wide.contacts, wide.motions, wide.rows, wide.context);
             passes.finish(wide.contacts, wide.motions, wide.rows);
@@ -171,7 +171,7 @@ TEST(ContactLanes, GiveTheSameBitsWithAnyWidth)
             ClampCounts clamps;
             ContactPasses passes(parallel);
             passes.use(width);
-            passes.begin(heap.contacts, heap.motions, heap.islands, heap.context, false, {});
+            passes.begin(heap.contacts, heap.motions, heap.islands, heap.rows, heap.context, false, {});
             for (int tick = 0; tick < 3; ++tick) {
                 passes.prepare(heap.contacts, heap.motions, heap.rows, heap.context);
                 passes.solve(heap.contacts, heap.motions, heap.rows, heap.context);
