@@ -26,15 +26,7 @@ PlacedPoint placePoint(const Contact& contact, Vec2 n, const ManifoldPoint& anch
 {
     const Vec2 surfaceA = rotate(qA, anchor.localA) + contact.radiusA * n;  // from the center of A
     const Vec2 surfaceB = rotate(qB, anchor.localB) - contact.radiusB * n;  // from the center of B
-    const real separation = dot(n, d + surfaceB - surfaceA);
-
-    // The point goes with the corner, on its surface: the other surface slides past it, and a disc
-    // rolls on its own radius.
-    PlacedPoint placed;
-    placed.gap = separation - contact.restGap;
-    placed.armA = anchor.cornerOnA ? surfaceA : surfaceB + d;
-    placed.armB = anchor.cornerOnA ? surfaceA - d : surfaceB;
-    return placed;
+    return placedPoint(n, surfaceA, surfaceB, d, anchor.cornerOnA, contact.restGap);
 }
 
 void placeContact(Contact& contact, const Motion& a, const Motion& b)

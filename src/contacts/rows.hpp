@@ -5,16 +5,11 @@
 #include "model/contacts.hpp"
 #include "model/motion.hpp"
 #include "model/step_context.hpp"
+#include "narrowphase/face_kernel.hpp"
 
 #include <tamias2d/model/clamps.hpp>
 
 namespace tamias2d::inline TAMIAS_PRECISION {
-
-/// A point of contact at given poses: where it is, and how far apart the surfaces are.
-struct PlacedPoint {
-    Vec2 armA, armB;   ///< from each center of mass   [m]
-    real gap;          ///< beyond the rest gap        [m]
-};
 
 /// The contact's normal for rotations `qA`, `qB` and centers `d` = B - A apart: where two roundings meet
 /// it runs through both their centers, wherever these have gone.

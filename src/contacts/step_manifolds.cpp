@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "contacts/step_manifolds.hpp"
 
+#include "base/room.hpp"
 #include "contacts/rows.hpp"
 
 #include <atomic>
@@ -21,11 +22,20 @@ bool keepsManifold(const ContactFacts& of, const MotionTable& motions)
     return off + static_cast<double>(travel) <= static_cast<double>(of.room);
 }
 
+void takePlaces(Contact& contact, const SweptResult& result)
+{
+    for (int k = 0; k < contact.count; ++k) {
+        contact.points[k].armA = result.places[k].armA;
+        contact.points[k].armB = result.places[k].armB;
+        contact.points[k].gap = result.places[k].gap;
+    }
+}
+
 void updateBatch(std::span<Contact* const> contacts, const ShapeTable& shapes, const MotionTable& motions,
                  const StepContext& context, const ExpectedPaths& paths, ManifoldCounts& counts)
 {
-    SweptResult results[kPairBatch];
-    paths.collide(contacts, shapes, motions, results);
+    Room<SweptResult, kPairBatch> results;
+    paths.collide(contacts, shapes, motions, results.data());
 
     const real dt = static_cast<real>(context.dt);
     for (std::size_t i = 0; i < contacts.size(); ++i) {
@@ -36,13 +46,17 @@ void updateBatch(std::span<Contact* const> contacts, const ShapeTable& shapes, c
         adoptManifold(contact, result, real(0.3) * maximum(a.size, b.size));
         contact.swept =
             contact.atImpact || result.bends ||
-            (contact.count == 0 && withinReach(paths.pairOf(contact, shapes, motions), result.startGap, dt));
+            (contact.count == 0 && withinReach({a, paths.wayOf(contact.rowA)}, {b, paths.wayOf(contact.rowB)},
+                                               contact.restGap, result.startGap, dt));
         contact.apart = result.apart;
         contact.versionA = motions.versions[contact.rowA];
         contact.versionB = motions.versions[contact.rowB];
         contact.between = motions.centers[contact.rowB].center - motions.centers[contact.rowA].center;
         counts.swept += contact.swept ? 1 : 0;
-        placeContact(contact, motions.rows[contact.rowA], motions.rows[contact.rowB]);
+        if (result.placed)
+            takePlaces(contact, result);
+        else
+            placeContact(contact, motions.rows[contact.rowA], motions.rows[contact.rowB]);
     }
 }
 

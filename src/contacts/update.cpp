@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "contacts/update.hpp"
 
+#include "base/room.hpp"
 #include "contacts/rows.hpp"
 
 namespace tamias2d::inline TAMIAS_PRECISION {
@@ -59,6 +60,7 @@ void ExpectedPaths::begin(std::size_t rows, real end, real invH)
 {
     ++number_;
     rows_.resize(rows);
+    kernels_ = &pairKernels(suitedLanes(asked_, rows));
     wanted_.clear();
     end_ = end;
     invH_ = invH;
@@ -149,22 +151,17 @@ void ExpectedPaths::collide(std::span<Contact* const> contacts, const ShapeTable
     };
     // Pairs that wait for their lanes to fill, by kind.
     struct Waiting {
-        PairOnWay pairs[kLanes];
-        std::size_t places[kLanes];
+        Room<PairOnWay, kMostPairLanes> pairs;
+        Room<SweptResult*, kMostPairLanes> results;
         int count = 0;
     } waitingOf[kLaneKinds];
     const auto together = [&](int kind) {
-        Waiting& waiting = waitingOf[kind];
-        SweptResult found[kLanes];
-        bool decided[kLanes];
-        collideInLanes(static_cast<LaneKind>(kind), waiting.pairs, waiting.count, found, decided);
-        for (int k = 0; k < waiting.count; ++k) {
-            if (decided[k])
-                results[waiting.places[k]] = found[k];
-            else
-                alone(waiting.places[k]);
-        }
-        waiting.count = 0;
+        Waiting& w = waitingOf[kind];
+        const std::uint32_t decided =
+            kernels_->collide(static_cast<LaneKind>(kind), w.pairs.data(), w.count, w.results.data());
+        for (int k = 0; k < w.count; ++k)
+            if ((decided >> k & 1u) == 0) alone(static_cast<std::size_t>(w.results[k] - results));
+        w.count = 0;
     };
     for (std::size_t i = 0; i < contacts.size(); ++i) {
         const Contact& c = *contacts[i];
@@ -175,72 +172,94 @@ void ExpectedPaths::collide(std::span<Contact* const> contacts, const ShapeTable
         }
         Waiting& waiting = waitingOf[static_cast<int>(kind)];
         waiting.pairs[waiting.count] = pairOnWayOf(c, shapes, motions);
-        waiting.places[waiting.count] = i;
-        if (++waiting.count == kLanes) together(static_cast<int>(kind));
+        waiting.results[waiting.count] = results + i;
+        if (++waiting.count == kernels_->lanes) together(static_cast<int>(kind));
     }
-    // Lanes that stand half empty are slower than one pair after the other.
+    // Lanes that stand nearly empty are slower than one pair after the other.
     for (int kind = 0; kind < kLaneKinds; ++kind) {
-        const Waiting& waiting = waitingOf[kind];
-        if (waiting.count > kLanes / 2) together(kind);
-        for (int k = 0; k < waiting.count; ++k) alone(waiting.places[k]);
+        const Waiting& w = waitingOf[kind];
+        if (w.count > 2) together(kind);
+        for (int k = 0; k < w.count; ++k) alone(static_cast<std::size_t>(w.results[k] - results));
     }
 }
 
-void adoptManifold(Contact& contact, const SweptResult& result, real matchDistance)
+namespace {
+
+// The point with another anchor: what it carries stays, what was prepared of it does not.
+ContactPointRow pointWith(const ManifoldPoint& anchor, const ContactPointRow& from)
 {
-    struct Known {
-        std::uint32_t feature;
-        Vec2 localB;
-        real normalImpulse, tangentImpulse, stepNormal, stepTangent;
-    } old[2];
-    for (int k = 0; k < 2; ++k) {
-        const ContactPointRow& p = contact.points[k];
-        old[k] = {p.anchor.feature, p.anchor.localB, p.normalImpulse,
-                  p.tangentImpulse, p.stepNormal,    p.stepTangent};
-    }
+    ContactPointRow point;
+    point.anchor = anchor;
+    point.normalImpulse = from.normalImpulse;
+    point.tangentImpulse = from.tangentImpulse;
+    point.stepNormal = from.stepNormal;
+    point.stepTangent = from.stepTangent;
+    return point;
+}
+
+bool hasFeaturesOf(const Contact& contact, const Manifold& manifold, int count)
+{
+    if (contact.count != count) return false;
+    for (int i = 0; i < count; ++i)
+        if (contact.points[i].anchor.feature != manifold.points[i].feature) return false;
+    return true;
+}
+
+// Which of the points that were there goes on as the i-th of the manifold; none for those that are new.
+void matchPoints(const Contact& contact, const Manifold& manifold, int count, real matchDistance,
+                 const ContactPointRow* (&from)[2])
+{
     bool taken[2] = {contact.count < 1, contact.count < 2};
-    const int count = result.near ? result.manifold.count : 0;
-    bool found[2] = {false, false};
-
-    contact.count = count;
-    contact.normal = result.manifold.normal;
-    contact.time = result.manifold.time;
-    contact.atImpact = result.manifold.atImpact;
-    for (int i = 0; i < count; ++i) {
-        contact.points[i] = {};
-        contact.points[i].anchor = result.manifold.points[i];
-    }
-
-    const auto carry = [&](int to, int from) {
-        contact.points[to].normalImpulse = old[from].normalImpulse;
-        contact.points[to].tangentImpulse = old[from].tangentImpulse;
-        contact.points[to].stepNormal = old[from].stepNormal;
-        contact.points[to].stepTangent = old[from].stepTangent;
-        taken[from] = found[to] = true;
+    const auto take = [&](int i, int k) {
+        from[i] = &contact.points[k];
+        taken[k] = true;
     };
     for (int i = 0; i < count; ++i)
         for (int k = 0; k < 2; ++k)
-            if (!found[i] && !taken[k] && old[k].feature == contact.points[i].anchor.feature) carry(i, k);
+            if (from[i] == nullptr && !taken[k] &&
+                contact.points[k].anchor.feature == manifold.points[i].feature)
+                take(i, k);
     for (int i = 0; i < count; ++i) {
-        if (found[i]) continue;
+        if (from[i] != nullptr) continue;
         int nearest = -1;
         real least = matchDistance;
         for (int k = 0; k < 2; ++k) {
-            const real distance = length(old[k].localB - contact.points[i].anchor.localB);
+            const real distance = length(contact.points[k].anchor.localB - manifold.points[i].localB);
             if (!taken[k] && distance < least) least = distance, nearest = k;
         }
-        if (nearest >= 0) carry(i, nearest);
+        if (nearest >= 0) take(i, nearest);
     }
-    if (!found[0] && !found[1]) contact.rollingImpulse = 0;
 }
 
-bool withinReach(const SweptPair& pair, real gap, real dt)
+}  // namespace
+
+void adoptManifold(Contact& contact, const SweptResult& result, real matchDistance)
 {
-    const Trajectory &a = pair.pathA, &b = pair.pathB;
-    const real speed = length(a.velocity) + length(b.velocity) + absolute(a.spin) * pair.a.extent +
-                       absolute(b.spin) * pair.b.extent;
-    const real reach = speed * dt + length(a.acceleration - b.acceleration) * dt * dt;
-    return gap <= reach + 3 * pair.restGap;
+    const Manifold& manifold = result.manifold;
+    const int count = result.near ? manifold.count : 0;
+    if (hasFeaturesOf(contact, manifold, count)) {  // mostly
+        for (int i = 0; i < count; ++i) contact.points[i] = pointWith(manifold.points[i], contact.points[i]);
+        if (count == 0) contact.rollingImpulse = 0;
+    } else {
+        const ContactPointRow* from[2] = {nullptr, nullptr};
+        matchPoints(contact, manifold, count, matchDistance, from);
+        if (from[0] == nullptr && from[1] == nullptr) contact.rollingImpulse = 0;
+        const ContactPointRow none,
+            old[2] = {from[0] != nullptr ? *from[0] : none, from[1] != nullptr ? *from[1] : none};
+        for (int i = 0; i < count; ++i) contact.points[i] = pointWith(manifold.points[i], old[i]);
+        contact.count = count;
+    }
+    contact.normal = manifold.normal;
+    contact.time = manifold.time;
+    contact.atImpact = manifold.atImpact;
+}
+
+bool withinReach(const ShapeOnWay& a, const ShapeOnWay& b, real restGap, real gap, real dt)
+{
+    const real speed = length(a.path.velocity) + length(b.path.velocity) +
+                       absolute(a.path.spin) * a.shape.extent + absolute(b.path.spin) * b.shape.extent;
+    const real reach = speed * dt + length(a.path.acceleration - b.path.acceleration) * dt * dt;
+    return gap <= reach + 3 * restGap;
 }
 
 bool mayMeet(const SweptPair& pair, real from, real to, const StepContext& context)
@@ -248,7 +267,7 @@ bool mayMeet(const SweptPair& pair, real from, real to, const StepContext& conte
     const SweptResult result = collideSwept(pair, from, to);
     if (result.near && result.manifold.count > 0) return true;
     return result.startGap <= kSlowInCrowd * pair.restGap * static_cast<real>(context.ticks) &&
-           withinReach(pair, result.startGap, to - from);
+           withinReach({pair.a, pair.pathA}, {pair.b, pair.pathB}, pair.restGap, result.startGap, to - from);
 }
 
 }  // namespace tamias2d::inline TAMIAS_PRECISION

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "base/lane_choice.hpp"
 #include "contacts/pairs.hpp"
 #include "model/contacts.hpp"
 #include "model/motion.hpp"
@@ -45,6 +46,9 @@ inline constexpr std::size_t kPairBatch = 64;
 /// before anything is asked of those.
 class ExpectedPaths {
 public:
+    /// Pairs are looked at in lanes of the width that a world asks for.
+    explicit ExpectedPaths(LaneWidth asked) : asked_(askedLanes(asked)) {}
+
     /// Forgets all; from here on paths are those until `end`.
     void begin(std::size_t rows, real end, real invH);
     /// Makes room for rows that have come in.
@@ -63,6 +67,8 @@ public:
         return rows_.capacity() * sizeof(Row) + wanted_.capacity() * sizeof(std::uint32_t);
     }
 
+    /// The way of a body that has one, seen from its center.
+    const Trajectory& wayOf(std::uint32_t row) const { return rows_[row].path; }
     /// Both ways of a pair, as sweptPairOf.
     SweptPair pairOf(const Contact& contact, const ShapeTable& shapes, const MotionTable& motions) const;
     /// The same as lanes take it.
@@ -80,6 +86,8 @@ private:
         std::uint64_t number = 0;  // of the span of time that it is wanted for
         bool turns = false;
     };
+    LaneWidth asked_;
+    const PairKernels* kernels_ = nullptr;  // of the width that suits the rows
     Table<Row> rows_;
     std::vector<std::uint32_t> wanted_;  // rows
     std::uint64_t number_ = 0;
@@ -92,8 +100,13 @@ private:
 /// or, failing that, by the nearest anchor.
 void adoptManifold(Contact& contact, const SweptResult& result, real matchDistance);
 
+/// A shape on its way.
+struct ShapeOnWay {
+    const Convex& shape;
+    const Trajectory& path;
+};
 /// Could the two, `gap` apart [m], come near each other within `dt` if something deflected them?
-bool withinReach(const SweptPair& pair, real gap, real dt);
+bool withinReach(const ShapeOnWay& a, const ShapeOnWay& b, real restGap, real gap, real dt);
 
 /// Does the pair meet between the two times? Also if it is so near that the passes of a crowd could bring
 /// it together unforeseen; what impacts deflect is looked at again by them.

@@ -258,32 +258,6 @@ BasicVec2<Lane<W>> loadVectors(const Vec2* from)
                 Lane<W>(__builtin_shufflevector(low, high, 1, 3))};
 }
 
-/// The first N reals behind each of W pointers, as N lanes.
-template <int N, int W>
-void loadColumns(const real* const (&rows)[W], Lane<W>* columns)
-{
-    static_assert(N % W == 0);
-    for (int i = 0; i < N; i += W) {
-        if constexpr (W == 4) {
-            const auto r0 = loadLane<W>(rows[0] + i).v, r1 = loadLane<W>(rows[1] + i).v;
-            const auto r2 = loadLane<W>(rows[2] + i).v, r3 = loadLane<W>(rows[3] + i).v;
-            const auto low01 = __builtin_shufflevector(r0, r1, 0, 4, 1, 5);
-            const auto high01 = __builtin_shufflevector(r0, r1, 2, 6, 3, 7);
-            const auto low23 = __builtin_shufflevector(r2, r3, 0, 4, 1, 5);
-            const auto high23 = __builtin_shufflevector(r2, r3, 2, 6, 3, 7);
-            columns[i].v = __builtin_shufflevector(low01, low23, 0, 1, 4, 5);
-            columns[i + 1].v = __builtin_shufflevector(low01, low23, 2, 3, 6, 7);
-            columns[i + 2].v = __builtin_shufflevector(high01, high23, 0, 1, 4, 5);
-            columns[i + 3].v = __builtin_shufflevector(high01, high23, 2, 3, 6, 7);
-        } else {
-            static_assert(W == 2);
-            const auto r0 = loadLane<W>(rows[0] + i).v, r1 = loadLane<W>(rows[1] + i).v;
-            columns[i].v = __builtin_shufflevector(r0, r1, 0, 2);
-            columns[i + 1].v = __builtin_shufflevector(r0, r1, 1, 3);
-        }
-    }
-}
-
 /// Four numbers that are read and written together, as those of a body are.
 template <class T>
 struct alignas(4 * sizeof(T)) RowOf {

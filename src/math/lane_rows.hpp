@@ -29,6 +29,14 @@ struct ConsecutiveRows {
     TAMIAS_INLINE Byte* at(int lane) const { return first + static_cast<std::size_t>(lane) * Stride; }
 };
 
+/// The same where each lane has a pointer to its row.
+struct PointedRows {
+    const real* const* rows;
+    int first;  // number in the row
+
+    TAMIAS_INLINE const real* at(int lane) const { return rows[lane] + first; }
+};
+
 namespace lane_rows {
 
 template <class T, int W>
@@ -198,6 +206,17 @@ TAMIAS_INLINE void scatterRows(const FourLanes<W>& lanes, LaneRow* rows, const s
 {
     auto* const first = reinterpret_cast<std::byte*>(rows);
     scatterRows<W>(lanes, ScatteredRows<std::byte>{first, sizeof(LaneRow), at}, written);
+}
+
+/// The first N reals behind each of W pointers, as N lanes.
+template <int N, int W>
+TAMIAS_INLINE void loadColumns(const real* const (&rows)[W], Lane<W>* columns)
+{
+    static_assert(N % 4 == 0);
+    for (int i = 0; i < N; i += 4) {
+        const FourLanes<W> four = gatherRows<W>(PointedRows{rows, i});
+        columns[i] = four.x, columns[i + 1] = four.y, columns[i + 2] = four.z, columns[i + 3] = four.w;
+    }
 }
 
 }  // namespace tamias2d::inline TAMIAS_PRECISION

@@ -26,6 +26,19 @@ struct DiscResult {
     BasicVec2<T> normal;
 };
 
+/// From one center to the other.
+template <class T>
+struct CenterLine {
+    T distance;             // [m]
+    BasicVec2<T> normal;    // any where there is no distance
+
+    explicit CenterLine(BasicVec2<T> d)
+        : distance(squareRoot(dot(d, d))), normal(select(distance > T(real(0)), (T(real(1)) / distance) * d,
+                                                         BasicVec2<T>{T(real(0)), T(real(1))}))
+    {
+    }
+};
+
 template <class T>
 DiscResult<T> collideDiscs(const DiscsOnWay<T>& discs)
 {
@@ -34,10 +47,9 @@ DiscResult<T> collideDiscs(const DiscsOnWay<T>& discs)
     T gaps[2];
     BasicVec2<T> normals[2];
     for (int i = 0; i < 2; ++i) {
-        const BasicVec2<T> d = discs.fromAToB[i];
-        const T distance = squareRoot(dot(d, d));
-        normals[i] = select(distance > zero, (T(real(1)) / distance) * d, BasicVec2<T>{zero, T(real(1))});
-        gaps[i] = distance - discs.radii;
+        const CenterLine<T> line(discs.fromAToB[i]);
+        normals[i] = line.normal;
+        gaps[i] = line.distance - discs.radii;
     }
     const BasicVec2<T> slide = discs.fromAToB[1] - discs.fromAToB[0];
     const T travel = squareRoot(dot(slide, slide)) + discs.turnTravelA + discs.turnTravelB;

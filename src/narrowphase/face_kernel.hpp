@@ -99,4 +99,23 @@ T distanceAlong(BasicVec2<T> n, const BasicPose<T>& a, BasicVec2<T> localA, cons
     return dot(n, b.at(localB) - a.at(localA));
 }
 
+/// A point of contact at given poses: where it is, and how far apart the surfaces are.
+template <class T>
+struct BasicPlacedPoint {
+    BasicVec2<T> armA, armB;   ///< from each center of mass   [m]
+    T gap = T(real(0));        ///< beyond the rest gap        [m]
+};
+using PlacedPoint = BasicPlacedPoint<real>;
+
+/// The point of contact of two surface points, each seen from the center of its body, for centers `d` = B - A
+/// apart. It goes with the corner, on its surface: the other surface slides past it, and a disc rolls on its
+/// own radius.
+template <class T>
+BasicPlacedPoint<T> placedPoint(BasicVec2<T> n, BasicVec2<T> surfaceA, BasicVec2<T> surfaceB, BasicVec2<T> d,
+                                MaskOf<T> cornerOnA, T restGap)
+{
+    return {select(cornerOnA, surfaceA, surfaceB + d), select(cornerOnA, surfaceA - d, surfaceB),
+            dot(n, d + surfaceB - surfaceA) - restGap};
+}
+
 }  // namespace tamias2d::inline TAMIAS_PRECISION

@@ -41,6 +41,7 @@ struct PolygonPoint {
     BasicVec2<T> localA, localB;
     MaskOf<T> cornerOnA;
     T feature;  // a whole number
+    BasicPlacedPoint<T> place;  // at the start
 };
 
 /// As SweptResult, of pairs that are decided.
@@ -267,6 +268,13 @@ void collidePolygons(const PolygonOnWay<T, N>& a, const PolygonOnWay<T, N>& b, T
         point.feature =
             select(cut, T(static_cast<real>(i == 0 ? 16 : 32)), select(isEnd, edge.end, edge.start)) +
             faceFeature;
+    }
+
+    for (PolygonPoint<T>& p : result.points) {
+        const BasicVec2<T> none = T(real(0)) * result.normal;  // of rounding; makes 0 of -0
+        p.place = placedPoint(result.normal, rotate(a.start.c, a.start.s, p.localA) + none,
+                              rotate(b.start.c, b.start.s, p.localB) - none, b.start.p - a.start.p,
+                              p.cornerOnA, restGap);
     }
 
     // Does the true surface leave its plane? Where that must be looked at halfway, it is left to others.

@@ -6,7 +6,7 @@
 
 #include "narrowphase/swept.hpp"
 
-#include "narrowphase/face_kernel.hpp"
+#include "narrowphase/disc_kernel.hpp"
 
 #include <limits>
 
@@ -108,7 +108,13 @@ struct Sweep {
         return byFaces ? Separation{gap(placed), {}, Separation::Kind::FaceA, 0, 0} : separation(placed);
     }
     real gapAt(real t) const { return gap(placedAt(pair, t)); }
-    Separation separationAt(real t) const { return separation(placedAt(pair, t)); }
+    // Of discs, which the search for impacts asks for most, without placing them.
+    Separation separationAt(real t) const
+    {
+        if (!pair.a.isDisc() || !pair.b.isDisc()) return separation(placedAt(pair, t));
+        const CenterLine<real> line(pair.pathB.positionAt(t) - pair.pathA.positionAt(t));
+        return {line.distance - radii, line.normal, Separation::Kind::Vertices, 0, 0};
+    }
     real timeAt(real part) const { return from + part * (to - from); }
 
     SweptResult closest(const PlacedPair& placed) const

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "narrowphase/face_kernel.hpp"
 #include "narrowphase/manifold.hpp"
 
 #include <tamias2d/geometry/aabb.hpp>
@@ -36,12 +37,14 @@ struct SweptPair {
 };
 
 struct SweptResult {
-    bool near = false;      ///< there is a manifold
     real startGap = 0;      ///< between the surfaces at the start, or less   [m]
     Apart apart;            ///< how the two are apart at the start
+    bool near = false;      ///< there is a manifold
     bool exhausted = false; ///< the search for the time of impact ran out of iterations: taken as a hit
     bool bends = false;  ///< the true way bends off the manifold's normal by more than counts as overlap
     Manifold manifold;
+    bool placed = false;    ///< are its points placed where the two are at the start? By lanes they are
+    PlacedPoint places[2];
 };
 
 /// How the pair meets between the times `from` and `to`: a manifold that keeps the two apart all

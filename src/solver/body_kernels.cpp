@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "solver/body_kernels.hpp"
 
-#include "solver/with_lanes.hpp"
+#include "math/with_lanes.hpp"
 
 namespace tamias2d::inline TAMIAS_PRECISION {
 

@@ -3,9 +3,9 @@
 
 #include "solver/contact_lanes.hpp"
 
+#include "math/with_lanes.hpp"
 #include "solver/contact_kernels.hpp"
 #include "solver/flight.hpp"
-#include "solver/with_lanes.hpp"
 
 #include <algorithm>
 

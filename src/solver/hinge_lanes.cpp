@@ -4,10 +4,10 @@
 #include "solver/hinge_lanes.hpp"
 
 #include "joints/softness.hpp"
+#include "math/with_lanes.hpp"
 #include "solver/contact_lanes.hpp"
 #include "solver/hinge_kernels.hpp"
 #include "solver/hinge_slots.hpp"
-#include "solver/with_lanes.hpp"
 
 #include <algorithm>
 #include <bit>

@@ -90,6 +90,8 @@ struct PairRow {
 
 /// What the impact stage works with; it keeps its memory from step to step.
 struct ImpactScratch {
+    explicit ImpactScratch(LaneWidth lanes) : paths(lanes) {}
+
     ExpectedPaths paths;  // of bodies within the tick, before any impact
     std::vector<std::uint8_t> verdicts;  // on swept contacts, see resweepForTick
     std::vector<std::uint32_t> again;  // those whose ways are to be looked at

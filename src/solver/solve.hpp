@@ -26,7 +26,7 @@ struct SolverScratch {
     VisitedBodies visited;
 
     SolverScratch(LaneWidth lanes, Parallel& parallel)
-        : passes(parallel), parallel_(parallel), asked_(askedLanes(lanes))
+        : passes(parallel), impacts(lanes), parallel_(parallel), asked_(askedLanes(lanes))
     {
     }
 

@@ -4,6 +4,7 @@
 
 #include "solver/tick_sweeps.hpp"
 
+#include "base/room.hpp"
 #include "contacts/update.hpp"
 
 #include <limits>
@@ -136,8 +137,8 @@ void resweepForTick(ImpactStage& stage, const StepContext& context)
         Contact* batch[kPairBatch];
         for (std::size_t k = 0; k < count; ++k)
             batch[k] = &stage.contacts.rows[scratch.again[chunk.begin + k]];
-        SweptResult results[kPairBatch];
-        paths.collide({batch, count}, shapes, stage.motions, results);
+        Room<SweptResult, kPairBatch> results;
+        paths.collide({batch, count}, shapes, stage.motions, results.data());
         for (std::size_t k = 0; k < count; ++k) {
             Contact& c = *batch[k];
             const Convex &a = shapes.convex(c.shapeA), &b = shapes.convex(c.shapeB);

@@ -83,7 +83,7 @@ struct MostRows {
 struct World::Impl {
     explicit Impl(const WorldDef& def, std::uint32_t number)
         : id(number), settings(def), bodies(number, def.memory), shapes(number, def.memory), joints(number),
-          lawIds(number), resting(def.memory), parallel(def.threads, def.tasks, profile),
+          lawIds(number), resting(def.memory), parallel(def.threads, def.tasks, profile), paths(def.lanes),
           solverScratch(def.lanes, parallel)
     {
     }

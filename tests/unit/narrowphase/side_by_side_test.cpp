@@ -36,11 +36,11 @@ std::string difference(const SweptResult& a, const SweptResult& b)
     check(sameBits(a.apart.gap, b.apart.gap), "gap along the axis");
     check(a.exhausted == b.exhausted, "exhausted");
     check(a.bends == b.bends, "bends");
-    if (!a.near || !b.near) return text;
-    check(sameBits(a.manifold.normal, b.manifold.normal), "normal");
-    check(sameBits(a.manifold.time, b.manifold.time), "time");
     check(a.manifold.atImpact == b.manifold.atImpact, "atImpact");
+    check(sameBits(a.manifold.time, b.manifold.time), "time");
+    check(sameBits(a.manifold.normal, b.manifold.normal), "normal");
     check(a.manifold.count == b.manifold.count, "count");
+    if (!a.near || !b.near) return text;
     for (int i = 0; i < std::min(a.manifold.count, b.manifold.count); ++i) {
         const ManifoldPoint &p = a.manifold.points[i], &q = b.manifold.points[i];
         check(sameBits(p.localA, q.localA), "localA");
@@ -54,10 +54,34 @@ std::string difference(const SweptResult& a, const SweptResult& b)
 
 constexpr double kStep = 1.0 / 60;
 
-void inLanes(const PairOnWay* pairs, int count, SweptResult* results, bool* decided)
+// The kernels of every width that this machine has, in turn.
+const PairKernels& kernelsOf(int trial)
 {
-    collideInLanes(laneKindOf(*pairs->a, *pairs->b), pairs, count, results, decided);
+    static const std::vector<LaneWidth> widths = [] {
+        std::vector<LaneWidth> has;
+        for (const LaneWidth width : {LaneWidth::Bytes16, LaneWidth::Bytes32, LaneWidth::Bytes64})
+            if (hasLanes(width)) has.push_back(width);
+        return has;
+    }();
+    return pairKernels(widths[static_cast<std::size_t>(trial) % widths.size()]);
 }
+
+struct Found {
+    SweptResult results[kMostPairLanes];
+    std::uint32_t decided;
+
+    Found(const PairKernels& kernels, const PairOnWay* pairs, int count)
+    {
+        SweptResult* at[kMostPairLanes];
+        for (int i = 0; i < count; ++i) {
+            results[i].near = results[i].bends = results[i].exhausted = true;  // of another pair, before
+            results[i].manifold = {{1, 1}, 2, {}, 1, true};
+            at[i] = results + i;
+        }
+        decided = kernels.collide(laneKindOf(*pairs->a, *pairs->b), pairs, count, at);
+    }
+    bool isDecided(int i) const { return (decided >> i & 1u) != 0; }
+};
 
 // What may be in the lanes of a kind, the first of them so that it can be nothing else.
 struct Family {
@@ -132,7 +156,8 @@ TEST_P(PolygonsSideBySide, MeetAsEachPairAlone)
     const real end = static_cast<real>(kStep);
     int decidedPairs = 0, touching = 0, onePoint = 0, bending = 0, pairs = 0;
     for (int trial = 0; trial < 20000; ++trial) {
-        const int count = 1 + static_cast<int>(random() % kLanes);
+        const PairKernels& kernels = kernelsOf(trial);
+        const int count = 1 + static_cast<int>(random() % static_cast<unsigned>(kernels.lanes));
         std::vector<Scene> scenes;
         for (int i = 0; i < count; ++i) scenes.emplace_back(random, *GetParam());
         std::vector<SpanOfWay> ways;
@@ -140,22 +165,20 @@ TEST_P(PolygonsSideBySide, MeetAsEachPairAlone)
             ways.emplace_back(s.pathA, end);
             ways.emplace_back(s.pathB, end);
         }
-        PairOnWay polygons[kLanes];
+        PairOnWay polygons[kMostPairLanes];
         for (int i = 0; i < count; ++i) {
             const auto k = static_cast<std::size_t>(i);
             const Scene& s = scenes[k];
             polygons[i] = {&s.a,     &s.b, &ways[2 * k], &ways[2 * k + 1], s.pathA.position, s.pathB.position,
                            s.restGap};
         }
-        SweptResult found[kLanes];
-        bool decided[kLanes];
-        inLanes(polygons, count, found, decided);
+        const Found found(kernels, polygons, count);
         pairs += count;
         for (int i = 0; i < count; ++i) {
-            if (!decided[i]) continue;
+            if (!found.isDecided(i)) continue;
             const Scene& s = scenes[static_cast<std::size_t>(i)];
             const SweptResult alone = collideSwept({s.a, s.b, s.pathA, s.pathB, s.restGap}, 0, end);
-            ASSERT_EQ(difference(found[i], alone), "") << "trial " << trial << ", lane " << i;
+            ASSERT_EQ(difference(found.results[i], alone), "") << "trial " << trial << ", lane " << i;
             ++decidedPairs;
             touching += alone.near ? 1 : 0;
             onePoint += alone.near && alone.manifold.count == 1 ? 1 : 0;
@@ -190,15 +213,14 @@ TEST(SideBySide, BoxesAreDecidedWhoeverStandsBesideThem)
         const PairOnWay pair{&s.a, &s.b, &wayA, &wayB, s.pathA.position, s.pathB.position, s.restGap};
         const PairOnWay neighbor{
             &other.a, &other.b, &otherA, &otherB, other.pathA.position, other.pathB.position, other.restGap};
-        PairOnWay beside[kLanes];
-        for (int i = 0; i < kLanes; ++i) beside[i] = i == kLanes - 1 ? pair : neighbor;
-        SweptResult alone[kLanes], last[kLanes];
-        bool decidedAlone[kLanes], decidedLast[kLanes];
-        inLanes(&pair, 1, alone, decidedAlone);
-        inLanes(beside, kLanes, last, decidedLast);
-        ASSERT_EQ(decidedAlone[0], decidedLast[kLanes - 1]) << "trial " << trial;
-        if (decidedAlone[0]) {
-            ASSERT_EQ(difference(alone[0], last[kLanes - 1]), "") << "trial " << trial;
+        const PairKernels& kernels = kernelsOf(trial);
+        const int last = kernels.lanes - 1;
+        PairOnWay beside[kMostPairLanes];
+        for (int i = 0; i <= last; ++i) beside[i] = i == last ? pair : neighbor;
+        const Found alone(kernels, &pair, 1), among(kernels, beside, last + 1);
+        ASSERT_EQ(alone.isDecided(0), among.isDecided(last)) << "trial " << trial;
+        if (alone.isDecided(0)) {
+            ASSERT_EQ(difference(alone.results[0], among.results[last]), "") << "trial " << trial;
         }
     }
 }
@@ -222,10 +244,9 @@ TEST(SideBySide, BoxesThatLieFlatTouchAtTheEndsOfWhatTheyShare)
         pathB.position = {static_cast<real>(x), static_cast<real>((hA + hB) / 2 + gap)};
         const SpanOfWay wayA(pathA, static_cast<real>(kStep)), wayB(pathB, static_cast<real>(kStep));
         const PairOnWay pair{&a, &b, &wayA, &wayB, pathA.position, pathB.position, real(1e-3)};
-        SweptResult result;
-        bool decided = false;
-        inLanes(&pair, 1, &result, &decided);
-        ASSERT_TRUE(decided && result.near) << "trial " << trial;
+        const Found found(kernelsOf(trial), &pair, 1);
+        const SweptResult& result = found.results[0];
+        ASSERT_TRUE(found.isDecided(0) && result.near) << "trial " << trial;
         ASSERT_EQ(result.manifold.count, 2) << "trial " << trial;
         EXPECT_NEAR(result.manifold.normal.y, 1, tolerance);
         EXPECT_NEAR(result.startGap, gap, tolerance);
@@ -268,13 +289,11 @@ TEST(SideBySide, DiscsMeetAsEachPairAlone)
         }
         const SpanOfWay wayA(pathA, end), wayB(pathB, end);
         const PairOnWay pair{&a, &b, &wayA, &wayB, pathA.position, pathB.position, real(1e-3)};
-        SweptResult found;
-        bool decided = false;
-        inLanes(&pair, 1, &found, &decided);
+        const Found found(kernelsOf(trial), &pair, 1);
         const SweptResult alone = collideSwept({a, b, pathA, pathB, real(1e-3)}, 0, end);
         ++pairs;
-        if (!decided) continue;
-        ASSERT_EQ(difference(found, alone), "") << "trial " << trial;
+        if (!found.isDecided(0)) continue;
+        ASSERT_EQ(difference(found.results[0], alone), "") << "trial " << trial;
         ++decidedPairs;
         touching += alone.near ? 1 : 0;
         overlapping += alone.near && alone.startGap < 0 ? 1 : 0;
