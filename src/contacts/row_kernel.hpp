@@ -39,6 +39,35 @@ struct ContactRow {
     PointRow<T> points[2];
 };
 
+/// What steady forces do to a body.
+template <class T>
+struct SteadyForces {
+    BasicVec2<T> carried;  ///< what contacts change its velocity by in a tick   [m/s]
+    BasicVec2<T> others;   ///< acceleration by all that is no contact   [m/s^2]
+};
+
+/// So much of them is not balanced where a body rests, in whatever direction: rounding, and what the passes
+/// leave undone.
+inline constexpr real kUnbalanced = real(0.01);
+
+/// The approach along `n` that steady forces make in a tick of length `h`, where B accelerates by `between`
+/// against A, and contacts carry `carried` [m/s] of both.   [m/s]
+template <class T>
+TAMIAS_INLINE T steadyApproach(BasicVec2<T> n, BasicVec2<T> between, T carried, T h)
+{
+    return h * absolute(dot(n, between)) + carried;
+}
+
+/// The same, and at least what of them is not balanced.
+template <class T>
+TAMIAS_INLINE T steadyApproach(BasicVec2<T> n, const SteadyForces<T>& a, const SteadyForces<T>& b, T h)
+{
+    const auto whole = [](BasicVec2<T> v) { return absolute(v.x) + absolute(v.y); };
+    const BasicVec2<T> between = b.others - a.others;
+    const T along = steadyApproach(n, between, absolute(dot(n, a.carried)) + absolute(dot(n, b.carried)), h);
+    return maximum(along, T(kUnbalanced) * (h * whole(between) + whole(a.carried) + whole(b.carried)));
+}
+
 /// Two impulses that are each >= 0 and bring both residuals to >= 0 (with = 0 where the impulse is > 0): the
 /// linear complementarity problem of a two-point contact, solved exactly by its four cases. `r` are the
 /// residuals at the impulses `x` at hand, which are replaced. `i1`, `i2` and `i12` are the inverses of the

@@ -63,22 +63,23 @@ real allowedApproach(const ContactPointRow& point, const StepContext& context)
 real impactThreshold(const Contact& contact, const Motion& a, const Motion& b, real carried,
                      const StepContext& context)
 {
-    const real forces = context.h * absolute(dot(contact.normal, b.acceleration - a.acceleration));
-    return context.tuning.impactThreshold * (forces + carried);
+    return context.tuning.impactThreshold *
+           steadyApproach(contact.normal, b.acceleration - a.acceleration, carried, context.h);
 }
 
 real impactThreshold(const Contact& contact, const Motion& a, const Motion& b, const StepContext& context)
 {
-    const Vec2 n = contact.normal;
-    return impactThreshold(contact, a, b, absolute(dot(n, a.steady)) + absolute(dot(n, b.steady)), context);
+    const SteadyForces<real> onA{a.steady, a.acceleration}, onB{b.steady, b.acceleration};
+    return context.tuning.impactThreshold * steadyApproach(contact.normal, onA, onB, context.h);
 }
 
-// With (1 - C_R)/C_R rest gaps a tick a bounce is left out whose rebound is slower than 1 - C_R of them.
-real slowestInCrowd(const Contact& contact, const StepContext& context)
+// In crowds a bounce is left out whose rebound is slower than 1 - C_R rest gaps a tick.
+real leastApproach(const Contact& contact, const StepContext& context)
 {
-    if (!contact.crowded) return 0;
     const real kept = contact.restitution, lost = 1 - kept;
-    return (lost < kSlowInCrowd * kept ? lost / kept : kSlowInCrowd) * contact.restGap * context.invH;
+    const real inCrowd = lost < kSlowInCrowd * kept ? lost / kept : kSlowInCrowd;
+    const real gaps = contact.crowded ? maximum(inCrowd, kUnseen) : kUnseen;
+    return gaps * contact.restGap * context.invH;
 }
 
 int mostImpacts(const Contact& contact, const StepContext& context)
@@ -103,7 +104,7 @@ bool isLeftToImpacts(const Contact& contact, const ContactPointRow& point, real 
 {
     return contact.restitution > 0 && !point.wasLoaded && contact.impacts < mostImpacts(contact, context) &&
            point.gap > -contact.restGap / 2 &&
-           normalSpeed < -maximum(threshold, slowestInCrowd(contact, context));
+           normalSpeed < -maximum(threshold, leastApproach(contact, context));
 }
 
 // May an impact in this tick have settled the contact?

@@ -32,8 +32,8 @@ void prepareContact(Contact& contact, const Motion& a, const Motion& b);
 /// Speed at which the point may still close: as far as its gap within the tick, and no further.   [m/s]
 real allowedApproach(const ContactPointRow& point, const StepContext& context);
 
-/// Slowest approach that is an impact: more than what steady forces do within a tick, so that what
-/// rests never bounces, and zero without such forces.   [m/s]
+/// Slowest approach that is an impact: more than what steady forces do within a tick, and than what of them
+/// is not balanced, so that what rests never bounces; zero without such forces.   [m/s]
 real impactThreshold(const Contact& contact, const Motion& a, const Motion& b, const StepContext& context);
 /// The same where contacts carry so much of the speeds of both along the normal, each taken positive.   [m/s]
 real impactThreshold(const Contact& contact, const Motion& a, const Motion& b, real carried,
@@ -43,10 +43,14 @@ real impactThreshold(const Contact& contact, const Motion& a, const Motion& b, r
 /// width at the defaults [ADR21].
 inline constexpr real kSlowInCrowd = 30;
 
-/// In a crowd each loss makes others meet, a little later and a little slower, without end: what approaches
-/// slower than this is left to the passes, which stop all of it at once. What would have bounced then loses
-/// less than a rest gap a tick of speed; 0 for what loses nothing [ADR21].   [m/s]
-real slowestInCrowd(const Contact& contact, const StepContext& context);
+/// What closes by less of a rest gap in a tick is no impact. It would take three weeks to close one; but
+/// rounding brings what is wedged in without any forces to hit both sides by turns for ever.
+inline constexpr real kUnseen = real(1e-9);
+
+/// Slower than this nothing is an impact, whatever the forces: it is left to the passes. In a crowd each loss
+/// makes others meet, a little later and a little slower, without end; the passes stop all of it at once.
+/// What would have bounced then loses less than a rest gap a tick of speed [ADR21].   [m/s]
+real leastApproach(const Contact& contact, const StepContext& context);
 
 /// How many impacts of a contact may act in a tick; what approaches after them is left to the passes. One
 /// that does not bounce, or bounces with losses in a crowd, and is hit again and again stands in such a

@@ -35,7 +35,7 @@ struct ContactSource {
     BasicVec2<Wide> localA[2], localB[2];
     LaneMask<W> cornerOnA[2] = {}, present[2] = {};
     LaneMask<W> turns = {};            // lanes whose normal goes along: see normalTurns
-    Wide slowest;                      // see slowestInCrowd   [m/s]
+    Wide slowest;                      // see leastApproach   [m/s]
     Wide gap[2];
     Wide stepNormal[2], stepTangent[2];
     BasicVec2<Wide> stepImpulse;

@@ -165,10 +165,8 @@ std::size_t ContactKernels<W>::findApproaching(const Block* blocks, const Source
         const FourLanes<W> lA = gatherRows<W>(rows.loads.data(), block.rowA);
         const FourLanes<W> lB = gatherRows<W>(rows.loads.data(), block.rowB);
         const auto along = [n](const FourLanes<W>& row) { return n.x * row.x + n.y * row.y; };
-        const auto outsideAlong = [n](const FourLanes<W>& row) { return n.x * row.z + n.y * row.w; };
-        const Wide steadyForces =
-            h * absolute(outsideAlong(lB) - outsideAlong(lA)) + absolute(along(lA)) + absolute(along(lB));
-        const Wide threshold = maximum(factor * steadyForces, source.slowest);
+        const SteadyForces<Wide> onA{{lA.x, lA.y}, {lA.z, lA.w}}, onB{{lB.x, lB.y}, {lB.z, lB.w}};
+        const Wide threshold = maximum(factor * steadyApproach(n, onA, onB, h), source.slowest);
         const Wide reach = eA.w + eB.w, most = Wide(real(2e-5)) * reach - threshold;
         const Wide speed = along(vB) - along(vA), push = along(eB) - along(eA);
         std::uint32_t near = 0;

@@ -345,7 +345,7 @@ void ContactLanesOf<W>::load(std::uint32_t contact, const Contact& c, const Moti
     b.row.friction.v[lane] = c.friction;
     b.row.surfaceSpeed.v[lane] = c.surfaceSpeed;
     b.row.blockInverse.v[lane] = 0;
-    s.slowest.v[lane] = slowestInCrowd(c, context_);
+    s.slowest.v[lane] = leastApproach(c, context_);
     setLane(s.start, lane, startOf(rows, c.rowA, c.rowB));
     s.restGap.v[lane] = c.restGap;
     s.radiusA.v[lane] = c.radiusA;

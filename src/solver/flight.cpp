@@ -195,7 +195,7 @@ Impact nextImpact(const Contact& c, const ImpactPoint points[2], const FlyingPai
 {
     Impact next;
     if (c.impacts >= mostImpacts(c, context)) return next;
-    const real slowest = slowestInCrowd(c, context);
+    const real slowest = leastApproach(c, context);
     real threshold = -1;
     for (int k = 0; k < c.count; ++k) {
         if (!points[k].yields) continue;

@@ -50,7 +50,7 @@ bool isLeftToPasses(const Contact& c, const StepContext& context)
 // Will an impact of the next tick stop what is left of the approach? Then that makes the hit.
 bool isLeftForNext(const Contact& c, real approach, real gap, const StepContext& context)
 {
-    const real slowest = slowestInCrowd(c, context);
+    const real slowest = leastApproach(c, context);
     return c.impacts < mostImpacts(c, context) && approach > slowest && gap * context.invH > slowest;
 }
 
