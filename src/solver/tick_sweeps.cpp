@@ -6,28 +6,64 @@
 
 #include "base/room.hpp"
 #include "contacts/update.hpp"
+#include "math/lane_rows.hpp"
 
+#include <cstddef>
 #include <limits>
 
 namespace tamias2d::inline TAMIAS_PRECISION {
 namespace {
 
-// Takes from how a pair is apart what its bodies went in the last tick.
-void keepApart(PairRow& pair, const Table<Way>& ways)
-{
-    const Way &a = ways[pair.rowA], &b = ways[pair.rowB];
-    const Vec2 shift = b.shift - a.shift;
-    const real rounding = real(0.001) * (absolute(shift.x) + absolute(shift.y) + pair.near);
-    pair.apart.gap += dot(pair.apart.axis, shift) - real(1.001) * (a.turn + b.turn) - rounding;
-}
+using Wide = Lane<kLanes>;
 
-// The lowest speed of B against A along the axis in a tick: rates are linear in time.   [m/s]
-real slowestAlong(Vec2 axis, const LaneRow& a, const LaneRow& b)
-{
-    const real first = axis.x * (b.x - a.x) + axis.y * (b.y - a.y);
-    const real last = axis.x * (b.z - a.z) + axis.y * (b.w - a.w);
-    return minimum(first, last);
-}
+// Some swept pairs, one a lane; beyond the last one stand copies of it.
+struct PairRun {
+    std::uint32_t at[kLanes], rowA[kLanes], rowB[kLanes];
+    FourLanes<kLanes> apart;        // PairRow: the axis, the gap along it, near
+    FourLanes<kLanes> wayA, wayB;   // Way: shift, turn, turning
+
+    PairRun(const ImpactScratch& scratch, const Table<Way>& ways, std::size_t first, std::size_t end)
+    {
+        for (std::size_t lane = 0; lane < kLanes; ++lane) {
+            at[lane] = scratch.swept[minimum(first + lane, end - 1)];
+            rowA[lane] = scratch.pairs[at[lane]].rowA;
+            rowB[lane] = scratch.pairs[at[lane]].rowB;
+        }
+        apart =
+            gatherRows<kLanes>(groups<const std::byte>(scratch.pairs.data(), offsetof(PairRow, apart), at));
+        wayA = gatherRows<kLanes>(groups<const std::byte>(ways.data(), offsetof(Way, shift), rowA));
+        wayB = gatherRows<kLanes>(groups<const std::byte>(ways.data(), offsetof(Way, shift), rowB));
+    }
+
+    // Takes from how pairs are apart what their bodies went in the last tick.
+    void keepApart(Table<PairRow>& pairs)
+    {
+        const Wide shiftX = wayB.x - wayA.x, shiftY = wayB.y - wayA.y;
+        const Wide rounding = Wide(real(0.001)) * (absolute(shiftX) + absolute(shiftY) + apart.w);
+        apart.z += apart.x * shiftX + apart.y * shiftY - Wide(real(1.001)) * (wayA.z + wayB.z) - rounding;
+        scatterRows<kLanes>(apart, groups<std::byte>(pairs.data(), offsetof(PairRow, apart), at), ~0u);
+    }
+
+    // Those that stay apart in a tick through which bodies go so fast: rates are linear in time.
+    std::uint32_t farAt(const Table<LaneRow>& spans, Wide h) const
+    {
+        const FourLanes<kLanes> a = gatherRows<kLanes>(spans.data(), rowA),
+                                b = gatherRows<kLanes>(spans.data(), rowB);
+        const Wide first = apart.x * (b.x - a.x) + apart.y * (b.y - a.y);
+        const Wide last = apart.x * (b.z - a.z) + apart.y * (b.w - a.w);
+        const Wide slowest = minimum(first, last);  // of B against A along the axis   [m/s]
+        const Wide travel = h * (maximum(-slowest, Wide(real(0))) + (wayA.w + wayB.w));
+        return bitsOf(apart.z - Wide(real(1.001)) * travel > apart.w);
+    }
+
+private:
+    template <class Byte, class Row>
+    static ScatteredRows<Byte> groups(Row* rows, std::size_t offset, const std::uint32_t* numbers)
+    {
+        return {reinterpret_cast<Byte*>(rows) + offset, sizeof(Row), numbers};
+    }
+};
+static_assert(offsetof(PairRow, near) == offsetof(PairRow, apart) + 3 * sizeof(real));
 
 }  // namespace
 
@@ -100,16 +136,16 @@ void resweepForTick(ImpactStage& stage, const StepContext& context)
     constexpr std::size_t kGrain = 256;
     scratch.verdicts.resize(scratch.swept.size());
     stage.parallel.forEach(scratch.swept.size(), kGrain, [&](const Chunk& chunk) {
-        for (std::size_t k = chunk.begin; k < chunk.end; ++k) {
-            const std::uint32_t i = scratch.swept[k];
-            PairRow& pair = scratch.pairs[i];
-            keepApart(pair, ways);
-            const real turning = ways[pair.rowA].turning + ways[pair.rowB].turning;
-            const real slowest = slowestAlong(pair.apart.axis, spans[pair.rowA], spans[pair.rowB]);
-            const real travel = context.h * (maximum(-slowest, real(0)) + turning);
-            const bool far = pair.apart.gap - real(1.001) * travel > pair.near;
-            const bool hasPoints = stage.passes.holds(i) && stage.contacts.rows[i].count > 0;
-            scratch.verdicts[k] = !far ? Near : hasPoints ? Parts : Far;
+        for (std::size_t first = chunk.begin; first < chunk.end; first += kLanes) {
+            PairRun run(scratch, ways, first, chunk.end);
+            run.keepApart(scratch.pairs);
+            const std::uint32_t far = run.farAt(spans, Wide(context.h));
+            for (std::size_t k = first; k < minimum(first + kLanes, chunk.end); ++k) {
+                const std::uint32_t i = scratch.swept[k];
+                const bool isFar = (far >> (k - first) & 1u) != 0;
+                const bool hasPoints = isFar && stage.passes.holds(i) && stage.contacts.rows[i].count > 0;
+                scratch.verdicts[k] = !isFar ? Near : hasPoints ? Parts : Far;
+            }
         }
     });
 
@@ -152,11 +188,12 @@ void resweepForTick(ImpactStage& stage, const StepContext& context)
 
 void endSweeps(ImpactStage& stage)
 {
-    for (const std::uint32_t i : stage.scratch.swept) {
-        PairRow& pair = stage.scratch.pairs[i];
-        keepApart(pair, stage.rows.ways);
-        stage.contacts.rows[i].apart = pair.apart;
+    ImpactScratch& scratch = stage.scratch;
+    for (std::size_t first = 0; first < scratch.swept.size(); first += kLanes) {
+        PairRun run(scratch, stage.rows.ways, first, scratch.swept.size());
+        run.keepApart(scratch.pairs);
     }
+    for (const std::uint32_t i : scratch.swept) stage.contacts.rows[i].apart = scratch.pairs[i].apart;
 }
 
 }  // namespace tamias2d::inline TAMIAS_PRECISION
