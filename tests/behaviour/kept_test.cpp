@@ -66,6 +66,37 @@ TEST(Kept, PilesStandAsTheyDoWhenAllIsFoundAnew)
     EXPECT_LE(furthestSideways(boxes), 1e-3);
 }
 
+// Manifolds stay with what moves along together: a pyramid that a lift takes 120 m away, until the lift turns
+// back at once, is to stand on it as on a ground, and to fall as one when the lift falls away.
+TEST(Kept, APyramidOnALiftStandsAsOnAGround)
+{
+    TRACES("T2", "R3", "ADR27");
+    World world(restless());
+    const Vec2 way = vec(1, 4);
+    Body lift = addBox(world, {0, -0.5}, 30, 1, {.type = BodyType::Kinematic, .velocity = way});
+    const std::vector<Placed> boxes = addPyramid(world, 8);
+    for (Placed box : boxes) box.body.setLinearVelocity(way);
+    const auto off = [&](double x, double y) {
+        double most = 0;
+        for (const Placed& box : boxes) {
+            const Position at = box.body.centerOfMass();
+            most = std::max({most, std::abs(at.x - box.start.x - x), std::abs(at.y - box.start.y - y)});
+        }
+        return most;
+    };
+    for (int i = 0; i < 1800; ++i) world.step();
+    const Position there = lift.position();
+    record("off while it goes", off(there.x, there.y + 0.5));
+    EXPECT_LE(off(there.x, there.y + 0.5), 2e-3);
+
+    lift.setLinearVelocity(vec(0, -60));
+    const Position from = boxes.back().body.centerOfMass();
+    for (int i = 0; i < 60; ++i) world.step();
+    // In free flight for a second: 4 m/s up, 9.81 m/s^2 down.
+    const double fallen = boxes.back().body.centerOfMass().y - from.y;
+    EXPECT_NEAR(fallen, 4 - 9.81 / 2, 5e-3);
+}
+
 // Each of these concerns a pile that has been at rest for a while.
 TEST(Kept, NothingOutlivesWhatItIsOf)
 {
