@@ -313,7 +313,7 @@ TAMIAS_INLINE BasicVec2<T> repayPush(const ContactRow<T>& row, T pushed, T load,
     const auto owes =
         isFree(row.invMassA) & isFree(row.invMassB) & (pushed > zero) & (load > zero) & (squared > zero);
     const T inverse = row.invMassA.x + row.invMassB.x, way = h * pushed * inverse;
-    const T moment = select(way * way > squared, squareRoot(squared) / inverse, h * pushed);   // [kg*m]
+    const T moment = select(way * way > squared, squareRoot(squared) / inverse, h * pushed);  // [kg*m]
     const T gained = moment * cross(row.normal, velocityB - velocityA);
     const BasicVec2<T> impulse = select(owes, -gained / squared, zero) * perpendicular(d);
     velocityA -= {row.invMassA.x * impulse.x, row.invMassA.y * impulse.y};

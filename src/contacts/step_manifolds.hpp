@@ -11,16 +11,16 @@ inline constexpr real kManifoldRoom = real(0.25);
 
 /// What the manifolds of some contacts came to.
 struct ManifoldCounts {
-    std::uint32_t kept = 0;        ///< manifolds of the step before
-    std::uint32_t swept = 0;       ///< pairs that are looked at again in every tick
-    std::uint32_t exhausted = 0;   ///< searches for a time of impact that ran out of iterations
+    std::uint32_t kept = 0;  ///< manifolds of the step before
+    std::uint32_t swept = 0;  ///< pairs that are looked at again in every tick
+    std::uint32_t exhausted = 0;  ///< searches for a time of impact that ran out of iterations
 };
 
 /// What looking for manifolds works with; it keeps its memory from step to step.
 struct ManifoldScratch {
-    std::vector<std::uint8_t> needed;      // by row: is its way asked for?
-    std::vector<ManifoldCounts> counts;    // by chunk
-    std::vector<std::uint8_t> renewed;     // by contact: has it another manifold than in the step before?
+    std::vector<std::uint8_t> needed;  // by row: is its way asked for?
+    std::vector<ManifoldCounts> counts;  // by chunk
+    std::vector<std::uint8_t> renewed;  // by contact: has it another manifold than in the step before?
 };
 
 /// The manifolds of all contacts for the whole step, from 0 to dt, which `paths` must be for, placed where
