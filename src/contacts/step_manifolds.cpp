@@ -16,10 +16,9 @@ bool keepsManifold(const ContactFacts& of, const MotionTable& motions)
     if (of.swept || of.versionA != motions.versions[of.rowA] || of.versionB != motions.versions[of.rowB])
         return false;
     const CenterWay &a = motions.centers[of.rowA], &b = motions.centers[of.rowB];
-    const auto size = [](auto v) { return absolute(v.x) + absolute(v.y); };
-    const real travel = size(b.glide - a.glide) + size(b.bend - a.bend);
-    const double off = size((b.center - a.center) - of.between);
-    return off + static_cast<double>(travel) <= static_cast<double>(of.room);
+    const DVec2 off = (b.center - a.center) - of.between;
+    const real travel = travelBy(b.glide - a.glide, b.bend - a.bend);
+    return absolute(off.x) + absolute(off.y) + static_cast<double>(travel) <= static_cast<double>(of.room);
 }
 
 void takePlaces(Contact& contact, const SweptResult& result)

@@ -25,8 +25,10 @@ LaneKind laneKindOf(const Convex& a, const Convex& b)
 
 const PairKernels& pairKernels(LaneWidth width)
 {
-    return *withLanes(
-        width, [](auto lanes) { return &PairKernelsOf < lanes() == 1 ? kLanes16 : lanes() > ::kTable; });
+    return *withLanes(width, [](auto lanes) {
+        constexpr int kWide = lanes() == 1 ? kLanes16 : lanes();
+        return &PairKernelsOf<kWide>::kTable;
+    });
 }
 
 }  // namespace tamias2d::inline TAMIAS_PRECISION

@@ -30,8 +30,8 @@ TAMIAS_INLINE Lane<W> repaidSpin(const BodyRows& bodies, const FourLanes<W>& mas
     return select(owes, masses.z * h / masses.x * turn, zero);
 }
 
-// No body goes farther in a tick than the fastest may, whatever contacts and joints have asked of it: far out
-// numbers are coarse, and what reckons with such ways ends in none. Motion::velocity is clamped after the
+// No body goes farther in a tick than the fastest may, whatever contacts and joints have asked of it: what
+// reckons with longer ways ends in values that are no numbers. Motion::velocity is clamped after the
 // tick.
 template <int W>
 TAMIAS_INLINE void holdBack(FourLanes<W>& velocity, Lane<W> most, Lane<W> mostTurn)

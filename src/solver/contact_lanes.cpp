@@ -112,10 +112,6 @@ private:
         });
     }
     static std::uint8_t kindOf(const Contact& c);
-    static Vec2 startOf(const TickRows& rows, std::uint32_t rowA, std::uint32_t rowB)
-    {
-        return toVec2(rows.origins[rowB].center - rows.origins[rowA].center);
-    }
     void sortByKind(const ContactTable& contacts);
     void store(std::size_t slot, Contact& row) const;
     void leaveEmpty(std::size_t slot);
@@ -193,7 +189,7 @@ void ContactLanesOf<W>::carryOn(const Islands& islands, const TickRows& rows)
                 const std::uint32_t rowA = b.rowA[lane], rowB = b.rowB[lane];
                 b.island[lane] = islandOf(islands, rowA, rowB);
                 b.oneIsland = b.oneIsland && b.island[lane] == b.island[0];
-                setLane(s.start, lane, startOf(rows, rowA, rowB));
+                setLane(s.start, lane, startBetween(rows, rowA, rowB));
             }
         }
     });
@@ -346,7 +342,7 @@ void ContactLanesOf<W>::load(std::uint32_t contact, const Contact& c, const Moti
     b.row.surfaceSpeed.v[lane] = c.surfaceSpeed;
     b.row.blockInverse.v[lane] = 0;
     s.slowest.v[lane] = leastApproach(c, context_);
-    setLane(s.start, lane, startOf(rows, c.rowA, c.rowB));
+    setLane(s.start, lane, startBetween(rows, c.rowA, c.rowB));
     s.restGap.v[lane] = c.restGap;
     s.radiusA.v[lane] = c.radiusA;
     s.radiusB.v[lane] = c.radiusB;

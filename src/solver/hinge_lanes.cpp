@@ -239,8 +239,7 @@ void HingeLanesOf<W>::carryOn(const Islands& islands, const TickRows& rows)
                 const std::uint32_t a = block.rowA[lane], b = block.rowB[lane];
                 block.island[lane] = islandOf(islands, a, b);
                 block.oneIsland = block.oneIsland && block.island[lane] == block.island[0];
-                if ((block.active >> lane & 1u) != 0)
-                    setLane(source.start, lane, toVec2(rows.origins[b].center - rows.origins[a].center));
+                if ((block.active >> lane & 1u) != 0) setLane(source.start, lane, startBetween(rows, a, b));
             }
             if (Angle* const angle = run.angleOf(block)) {
                 angle->sums = {};
@@ -277,7 +276,7 @@ void HingeLanesOf<W>::place(const JointTie& tie, std::size_t slot, const JointRo
     if (a.isDamped() || b.isDamped()) source.damped |= bit;
     setLane(source.localA, lane, hinge.anchorA - bodyA.localCenter);
     setLane(source.localB, lane, hinge.anchorB - bodyB.localCenter);
-    setLane(source.start, lane, toVec2(rows.origins[tie.rowB].center - rows.origins[tie.rowA].center));
+    setLane(source.start, lane, startBetween(rows, tie.rowA, tie.rowB));
     source.strained[lane] = joint.strainedTicks;
     source.anyStrained = source.anyStrained || joint.strainedTicks != 0;
     setDouble(source.angle, lane, joint.angle);

@@ -111,6 +111,11 @@ inline LaneRow steadyRow(const Motion& m)
 {
     return {m.steady.x, m.steady.y, m.steadySpin, m.load};
 }
+/// From where the way of A's center is counted to where that of B's is.   [m]
+inline Vec2 startBetween(const TickRows& rows, std::uint32_t a, std::uint32_t b)
+{
+    return toVec2(rows.origins[b].center - rows.origins[a].center);
+}
 inline LaneRow poseRow(const Motion& m, Position origin)
 {
     const Vec2 way = toVec2(m.center - origin);

@@ -28,12 +28,7 @@ CenterWay centerWayOf(const Motion& m, const StepContext& context)
     return {m.center, dt * m.velocity, dt * (dt * expectedAcceleration(m, context.invH))};
 }
 
-// How far any point of the body goes in the step at most: with its center, and by turning.   [m]
-real travelOf(const CenterWay& way)
-{
-    const auto size = [](Vec2 v) { return absolute(v.x) + absolute(v.y); };
-    return size(way.glide) + size(way.bend);
-}
+// How far turning takes any point of the body in the step at most.   [m]
 real turnOf(const Motion& m, const StepContext& context)
 {
     const real dt = static_cast<real>(context.dt);
@@ -57,7 +52,7 @@ bool World::Impl::sweepBody(std::size_t row, const StepContext& context, SweepBo
     const BodyRow& body = bodies.rows[m.body];
     ReferencePoses::Row& known = references.rows[body.mover];
     const CenterWay& way = motions.centers[row] = centerWayOf(m, context);
-    const real turn = turnOf(m, context), travel = travelOf(way) + turn;
+    const real turn = turnOf(m, context), travel = travelBy(way.glide, way.bend) + turn;
     const bool keepsManifolds = known.ofManifolds.holds(m, turn);
     const real width = keepsManifolds ? real(0) : shapes.widthOf(body);
     if (!keepsManifolds) known.ofManifolds.renew(m, turnRoom(width, context));
