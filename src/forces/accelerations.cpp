@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "forces/accelerations.hpp"
 
+#include <algorithm>
+
 namespace tamias2d::inline TAMIAS_PRECISION {
 namespace {
 
@@ -144,6 +146,15 @@ bool ForceField::varies(const MotionTable& motions, const BodyTable& bodies) con
     for (const Motion& m : motions.rows)
         if (!bodies.extra(bodies.rows[m.body]).lasting.empty()) return true;
     return false;
+}
+
+bool ForceField::variesFor(const Motion& motion, const BodyTable& bodies) const
+{
+    if (gravitationConstant > 0 || !bodies.extra(bodies.rows[motion.body]).lasting.empty()) return true;
+    const BodyId id = bodies.ids.id(motion.body);
+    return std::any_of(laws.begin(), laws.end(), [id](const PlacedLaw& placed) {
+        return placed.body.isNull() || placed.body == id;
+    });
 }
 
 std::uint32_t accelerateOne(Motion& m, const BodyTable& bodies, const ForceField& field, double time)

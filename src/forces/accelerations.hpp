@@ -28,6 +28,8 @@ struct ForceField {
 
     /// Does the acceleration of some body of the step change within it?
     bool varies(const MotionTable& motions, const BodyTable& bodies) const;
+    /// Does that of this one?
+    bool variesFor(const Motion& motion, const BodyTable& bodies) const;
 };
 
 /// Sets acceleration and spinRate of every row from gravity, forces, gravitation and laws, for the

@@ -42,4 +42,19 @@ inline StepContext makeStepContext(const Tuning& tuning, real lengthUnit, double
     return context;
 }
 
+/// The step in one tick. What is calmed loses as much speed in it as in all.
+inline StepContext wholeTick(const StepContext& context)
+{
+    StepContext whole = context;
+    whole.ticks = 1;
+    whole.h = static_cast<real>(context.dt);
+    whole.invH = 1 / whole.h;
+    whole.mostSteady = static_cast<real>(context.ticks) * context.mostSteady;
+    whole.mostSteadySpin = static_cast<real>(context.ticks) * context.mostSteadySpin;
+    real kept = 1;
+    for (int tick = 0; tick < context.ticks; ++tick) kept *= 1 - context.tuning.calmRate;
+    whole.tuning.calmRate = 1 - kept;
+    return whole;
+}
+
 }  // namespace tamias2d::inline TAMIAS_PRECISION

@@ -32,6 +32,7 @@ void fieldsOf(const Tuning*, Visit visit)
     visit("restless", &Tuning::restless);
     visit("calmRate", &Tuning::calmRate);
     visit("calmSpeed", &Tuning::calmSpeed);
+    visit("quiet", &Tuning::quiet);
     visit("impactThreshold", &Tuning::impactThreshold);
     visit("crowd", &Tuning::crowd);
     visit("impactsPerContact", &Tuning::impactsPerContact);

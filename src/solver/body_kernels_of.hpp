@@ -44,6 +44,34 @@ TAMIAS_INLINE void holdBack(FourLanes<W>& velocity, Lane<W> most, Lane<W> mostTu
     velocity.z = select(fast, clamp(velocity.z, -mostTurn, mostTurn), velocity.z);
 }
 
+// Moves W bodies on, by a shift of the center [m] and a turn [rad].
+template <int W, class Run>
+TAMIAS_INLINE void moveOn(const BodyRows& bodies, FourLanes<W>& rotation, Lane<W> extent,
+                          const FourDoubles<W>& shift, const Run& run)
+{
+    using Double = DoubleLane<W>;
+    FourDoubles<W> place = gatherDoubles<W>(run.groups(bodies.motions, kPlace));
+    place.x += shift.x;
+    place.y += shift.y;
+    const DoubleMask<W> turned = !isEqual(shift.z, Double(0.0));
+    if (any(turned)) {
+        const Double angle = wrapped(place.z + shift.z);
+        const SineCosine<Double> to = sineCosineOf(reduceShort(angle));
+        const LaneMask<W> anew = toReal(turned);
+        place.z = select(turned, angle, place.z);
+        rotation.x = select(anew, toReal(to.cosine), rotation.x);
+        rotation.y = select(anew, toReal(to.sine), rotation.y);
+        store<W>(rotation, bodies.motions, kRotation, run);
+    }
+    scatterDoubles<W>(place, run.groups(bodies.motions, kPlace));
+
+    const FourDoubles<W> origin = gatherDoubles<W>(run.groups(bodies.rows.origins.data(), 0));
+    store<W>({toReal(place.x - origin.x), toReal(place.y - origin.y), rotation.x, rotation.y},
+             bodies.rows.poses.data(), 0, run);
+    store<W>({toReal(shift.x), toReal(shift.y), extent * absolute(toReal(shift.z)), Lane<W>(real(0))},
+             bodies.rows.ways.data(), 0, run);
+}
+
 // With the second kick, if `kicks`.
 template <int W, bool kicks>
 std::uint32_t driftAnd(const BodyRows& bodies, const StepContext& context, bool kicked, bool pushed)
@@ -76,29 +104,9 @@ std::uint32_t driftAnd(const BodyRows& bodies, const StepContext& context, bool 
         FourDoubles<W> excess;
         if (any((rotation.z > zero) | (rotation.w > zero)))
             excess = gatherDoubles<W>(run.groups(motions, kExcess));
-        FourDoubles<W> place = gatherDoubles<W>(run.groups(motions, kPlace));
-        const Double shiftX = time * toDouble(way.x) + excess.x;
-        const Double shiftY = time * toDouble(way.y) + excess.y;
-        const Double turn = time * toDouble(way.z) + excess.z;
-        place.x += shiftX;
-        place.y += shiftY;
-        const DoubleMask<W> turned = !isEqual(turn, Double(0.0));
-        if (any(turned)) {
-            const Double angle = wrapped(place.z + turn);
-            const SineCosine<Double> to = sineCosineOf(reduceShort(angle));
-            const LaneMask<W> anew = toReal(turned);
-            place.z = select(turned, angle, place.z);
-            rotation.x = select(anew, toReal(to.cosine), rotation.x);
-            rotation.y = select(anew, toReal(to.sine), rotation.y);
-            store<W>(rotation, motions, kRotation, run);
-        }
-        scatterDoubles<W>(place, run.groups(motions, kPlace));
-
-        const FourDoubles<W> origin = gatherDoubles<W>(run.groups(rows.origins.data(), 0));
-        store<W>({toReal(place.x - origin.x), toReal(place.y - origin.y), rotation.x, rotation.y},
-                 rows.poses.data(), 0, run);
-        store<W>({toReal(shiftX), toReal(shiftY), masses.w * absolute(toReal(turn)), zero}, rows.ways.data(),
-                 0, run);
+        const FourDoubles<W> shift{time * toDouble(way.x) + excess.x, time * toDouble(way.y) + excess.y,
+                                   time * toDouble(way.z) + excess.z, Double(0.0)};
+        moveOn(bodies, rotation, masses.w, shift, run);
         if (kicks)
             clamped += kickAfterDrift(bodies, context, kicked, false,
                                       Drifted<W>{velocity, steady, change, rotation}, run);

@@ -4,6 +4,8 @@
 
 #include "solver/calm.hpp"
 
+#include "solver/body_kernels.hpp"
+
 namespace tamias2d::inline TAMIAS_PRECISION {
 namespace {
 
@@ -69,29 +71,6 @@ void measureFreeIslands(const Table<Motion>& rows, const Table<TickChange>& chan
     }
 }
 
-}  // namespace
-
-void findCalmRows(const Islands& islands, CalmRows& found)
-{
-    found.grounded.clear();
-    found.floating.clear();
-    found.numberOf.assign(islands.count(), Islands::kNone);
-    std::uint32_t floating = 0;
-    for (std::uint32_t i = 0; i < islands.islandOf.size(); ++i) {
-        const std::uint32_t island = islands.islandOf[i];
-        if (island == Islands::kNone || islands.sizeOf[island] < 2) continue;  // a lone body is calm
-        const std::uint32_t ground = islands.groundOf[island];
-        if (ground == Islands::kSeveral) continue;  // no one motion to come to rest against
-        if (ground != Islands::kNone) {
-            found.grounded.push_back({i, ground});
-            continue;
-        }
-        if (found.numberOf[island] == Islands::kNone) found.numberOf[island] = floating++;
-        found.floating.push_back({i, found.numberOf[island]});
-    }
-    found.islands.resize(floating);
-}
-
 void calmFloating(Table<Motion>& rows, const Table<TickChange>& changes, CalmRows& calmRows,
                   const StepContext& context)
 {
@@ -134,6 +113,47 @@ void calmFloating(Table<Motion>& rows, const Table<TickChange>& changes, CalmRow
         m.velocity += toVec2((1 / f.mass) * f.lost) + cross(turn, r);
         if (m.invInertia > 0) m.spin += turn;
     }
+}
+
+}  // namespace
+
+void findCalmRows(const Islands& islands, CalmRows& found)
+{
+    found.grounded.clear();
+    found.floating.clear();
+    found.numberOf.assign(islands.count(), Islands::kNone);
+    std::uint32_t floating = 0;
+    for (std::uint32_t i = 0; i < islands.islandOf.size(); ++i) {
+        const std::uint32_t island = islands.islandOf[i];
+        if (island == Islands::kNone || islands.sizeOf[island] < 2) continue;  // a lone body is calm
+        const std::uint32_t ground = islands.groundOf[island];
+        if (ground == Islands::kSeveral) continue;  // no one motion to come to rest against
+        if (ground != Islands::kNone) {
+            found.grounded.push_back({i, ground});
+            continue;
+        }
+        if (found.numberOf[island] == Islands::kNone) found.numberOf[island] = floating++;
+        found.floating.push_back({i, found.numberOf[island]});
+    }
+    found.islands.resize(floating);
+}
+
+void leaveOut(const std::vector<std::uint8_t>& quiet, bool isQuiet, CalmRows& calmRows)
+{
+    const auto is = [&](std::uint32_t row) { return row < quiet.size() && (quiet[row] != 0) == isQuiet; };
+    std::erase_if(calmRows.grounded, [&](const CalmPair& pair) { return is(pair.row); });
+    std::erase_if(calmRows.floating, [&](const FloatingRow& floating) { return is(floating.row); });
+}
+
+void calm(Table<Motion>& rows, TickRows& lanes, CalmRows& calmRows, const BodyKernels& kernels,
+          const StepContext& context, Parallel& parallel)
+{
+    if (!(context.tuning.calmRate > 0)) return;
+    const std::vector<CalmPair>& grounded = calmRows.grounded;
+    parallel.forEach(grounded.size(), kBodyGrain, [&](const Chunk& chunk) {
+        kernels.calm(rows.data(), grounded.data() + chunk.begin, chunk.end - chunk.begin, lanes, context);
+    });
+    calmFloating(rows, lanes.changes, calmRows, context);
 }
 
 }  // namespace tamias2d::inline TAMIAS_PRECISION

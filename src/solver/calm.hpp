@@ -5,6 +5,7 @@
 #include "model/motion.hpp"
 #include "model/step_context.hpp"
 #include "solver/tick_rows.hpp"
+#include "tasks/parallel.hpp"
 
 #include <vector>
 
@@ -51,9 +52,14 @@ struct CalmRows {
 };
 void findCalmRows(const Islands& islands, CalmRows& found);
 
-/// Slows loaded bodies that are already slow and not speeding up, where their island stands on nothing:
-/// against the island's own motion, whose momentum is kept. docs/theory/calm.md.
-void calmFloating(Table<Motion>& rows, const Table<TickChange>& changes, CalmRows& calmRows,
-                  const StepContext& context);
+/// Leaves out those whose bodies are `quiet`, by row, or all others.
+void leaveOut(const std::vector<std::uint8_t>& quiet, bool isQuiet, CalmRows& calmRows);
+
+struct BodyKernels;
+
+/// Slows loaded bodies that are already slow and not speeding up: against their grounds, or, where their
+/// island stands on nothing, against the island's own motion, whose momentum is kept. docs/theory/calm.md.
+void calm(Table<Motion>& rows, TickRows& lanes, CalmRows& calmRows, const BodyKernels& kernels,
+          const StepContext& context, Parallel& parallel);
 
 }  // namespace tamias2d::inline TAMIAS_PRECISION

@@ -15,6 +15,7 @@ struct ContactBlock {
     ContactRow<Lane<W>> row;
     std::uint32_t rowA[W] = {}, rowB[W] = {}, island[W] = {};
     std::uint32_t active = 0;                // lanes with a contact
+    std::uint32_t out = 0;                   // lanes with one that sits out for now
     std::uint32_t movesA = 0, movesB = 0;    // lanes whose body can be pushed
     std::uint32_t two = 0;                   // lanes with two points
     std::uint32_t unloaded[2] = {};          // lanes of which a point carried nothing as the tick began

@@ -71,7 +71,8 @@ void prepareAt(ContactBlock<W>& block, ContactSource<W>& source, const TickRows&
         BasicVec2<Wide>& n = block.row.normal;
         const BasicVec2<Wide> between = d + coreB[0] - coreA[0];
         const Wide distance = squareRoot(dot(between, between));
-        const auto turned = source.turns & (distance > zero);
+        auto turned = source.turns & (distance > zero);
+        if (block.out != 0) turned = turned & maskOf<W>(block.active);
         const BasicVec2<Wide> unit = (Wide(real(1)) / distance) * between;
         n = {select(turned, unit.x, n.x), select(turned, unit.y, n.y)};
     }
@@ -228,7 +229,7 @@ void ContactKernels<W>::pass(Block* blocks, std::size_t count, TickRows& rows, c
         FourLanes<W> a = gatherRows<W>(velocities, block.rowA), b = gatherRows<W>(velocities, block.rowB);
         BodyMotion<Wide> motionA = motionOf(a), motionB = motionOf(b);
         Wide change;
-        if (lanes == block.active) {
+        if (lanes == (block.active | block.out)) {
             change = solveRow(block.row, points, motionA, motionB);
         } else {
             const LaneMask<W> mask = maskOf<W>(lanes);

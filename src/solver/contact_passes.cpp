@@ -14,6 +14,28 @@ void prepareLoose(Contact& c, const MotionTable& motions)
     for (int i = 0; i < c.count; ++i) c.points[i].wasLoaded = c.points[i].normalImpulse > 0;
 }
 
+// What it does in so many ticks.
+void addUp(Contact& c, int ticks)
+{
+    const real times = static_cast<real>(ticks);
+    for (int k = 0; k < c.count; ++k) {
+        ContactPointRow& point = c.points[k];
+        const real normal = times * point.normalImpulse, tangent = times * point.tangentImpulse;
+        point.stepNormal += normal;
+        point.stepTangent += tangent;
+        c.stepImpulse += normal * c.normal + tangent * perpendicular(c.normal);
+    }
+}
+
+void scale(Contact& c, real factor)
+{
+    for (ContactPointRow& point : c.points) {
+        point.normalImpulse *= factor;
+        point.tangentImpulse *= factor;
+    }
+    c.rollingImpulse *= factor;
+}
+
 bool isNewlyLoaded(const Contact& c)
 {
     for (int k = 0; k < c.count; ++k)
@@ -48,6 +70,7 @@ void ContactPasses::begin(ContactTable& contacts, const MotionTable& motions, co
     const std::size_t count = contacts.rows.size();
     islands_ = &islands;
     loose_.clear();
+    outLoose_.clear();
     isLoose_.resize(count);
     inLane_.resize(count);
     if (same && lanes_->fits(contacts.rows, renewed, context)) {
@@ -81,7 +104,53 @@ void ContactPasses::begin(ContactTable& contacts, const MotionTable& motions, co
 
 void ContactPasses::end(ContactTable& contacts)
 {
+    lanes_->chooseAll();
     lanes_->storeAll(contacts.rows);
+}
+
+void ContactPasses::choose(const ContactTable& contacts, const std::vector<std::uint8_t>& quiet, bool isQuiet)
+{
+    lanes_->choose(quiet, isQuiet);
+    list_.swap(loose_);
+    for (const std::uint32_t i : outLoose_)
+        if (isLoose_[i] == kSitsOut) list_.push_back(i);
+    loose_.clear();
+    outLoose_.clear();
+    for (const std::uint32_t i : list_) {
+        const Contact& c = contacts.rows[i];
+        const bool takesPart = ((quiet[c.rowA] & quiet[c.rowB]) != 0) == isQuiet;
+        isLoose_[i] = takesPart ? 1 : kSitsOut;
+        (takesPart ? loose_ : outLoose_).push_back(i);
+    }
+}
+
+void ContactPasses::beginWhole(ContactTable& contacts, int ticks)
+{
+    lanes_->scale(static_cast<real>(ticks));
+    for (const std::uint32_t i : loose_) scale(contacts.rows[i], static_cast<real>(ticks));
+}
+
+void ContactPasses::endWhole(ContactTable& contacts, int ticks)
+{
+    lanes_->addUpAll();
+    lanes_->scale(1 / static_cast<real>(ticks));
+    for (const std::uint32_t i : loose_) scale(contacts.rows[i], 1 / static_cast<real>(ticks));
+}
+
+bool ContactPasses::comeIn(std::uint32_t contact, ContactTable& contacts, int ticks)
+{
+    Contact& c = contacts.rows[contact];
+    if (isInLane(contact)) {
+        if (!lanes_->sitsOut(contact)) return false;
+        lanes_->comeIn(contact);
+        leaveLane(contact, c);
+    } else {
+        if (contact >= isLoose_.size() || isLoose_[contact] != kSitsOut) return false;
+        isLoose_[contact] = 0;
+    }
+    addUp(c, -ticks);
+    addLoose(contact);
+    return true;
 }
 
 void ContactPasses::addLoose(std::uint32_t contact)
@@ -134,7 +203,7 @@ void ContactPasses::prepare(ContactTable& contacts, const MotionTable& motions, 
     list_.clear();
     for (std::size_t p = 0; p < piles_.count(); ++p)
         for (const std::uint32_t i : piles_[p].contacts)
-            if (isInLane(i)) take(i, contacts);
+            if (isInLane(i) && !lanes_->sitsOut(i)) take(i, contacts);
     lanes_->prepare(rows, context, list_);
     for (const std::uint32_t i : list_) take(i, contacts);
     sortLoose();
@@ -215,7 +284,7 @@ void ContactPasses::solve(ContactTable& contacts, MotionTable& motions, TickRows
                         setVelocity(rows.velocities[c.rowB], velocityOf(b));
                     });
         const bool left =
-            !piles_.empty() && piles_.pass(0, pass == 0, contacts, *world, *joints, rows.velocities, unrest_);
+            joints != nullptr && !piles_.empty() && piles_.pass(0, pass == 0, contacts, *world, *joints, rows.velocities, unrest_);
         if (!left && std::none_of(unrest_.begin(), unrest_.end(), [](std::uint8_t is) { return is != 0; }))
             break;
     }
@@ -278,15 +347,7 @@ void ContactPasses::finish(ContactTable& contacts, const MotionTable& motions, T
             if (!piles_.pass(first, pass == 0, contacts, *world, *joints, rows.velocities, unrest_)) break;
         sortLoose();
     }
-    for (const std::uint32_t i : loose_) {
-        Contact& c = contacts.rows[i];
-        for (int k = 0; k < c.count; ++k) {
-            ContactPointRow& point = c.points[k];
-            point.stepNormal += point.normalImpulse;
-            point.stepTangent += point.tangentImpulse;
-            c.stepImpulse += point.normalImpulse * c.normal + point.tangentImpulse * perpendicular(c.normal);
-        }
-    }
+    for (const std::uint32_t i : loose_) addUp(contacts.rows[i], 1);
     if (world != nullptr) piles_.forgetBlows(contacts, motions, world->context);
 }
 
@@ -327,7 +388,7 @@ void ContactPasses::pushApart(ContactTable& contacts, MotionTable& motions, Tick
                     rows.pushes[c.rowA] = laneRow(a);
                     rows.pushes[c.rowB] = laneRow(b);
                 });
-    if (!piles_.empty()) piles_.pushApart(contacts, *world, *joints, rows.pushes, clamps);
+    if (joints != nullptr && !piles_.empty()) piles_.pushApart(contacts, *world, *joints, rows.pushes, clamps);
     visitColors([&](int color) { lanes_->repay(color, rows, context); },
                 [&](std::uint32_t i) {
                     Contact& c = contacts.rows[i];

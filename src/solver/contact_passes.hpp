@@ -30,6 +30,17 @@ public:
     /// Tells the table what all have done.
     void end(ContactTable& contacts);
 
+    /// Between two ticks: only contacts of which both bodies are `quiet`, by row, take part in what follows,
+    /// or all others.
+    void choose(const ContactTable& contacts, const std::vector<std::uint8_t>& quiet, bool isQuiet);
+    /// A tick that stands for so many begins, and ends, for those that take part: what they carry is that
+    /// many times as much, and all of it is of the step.
+    void beginWhole(ContactTable& contacts, int ticks);
+    void endWhole(ContactTable& contacts, int ticks);
+    /// A contact that sits out takes part again, when all that it has done in so many ticks to come is yet to
+    /// be done: it is loose then, and to be prepared. Returns whether it was one.
+    bool comeIn(std::uint32_t contact, ContactTable& contacts, int ticks);
+
     /// Tells that the manifold of a contact is about to change: what is known of it is in the table then.
     void take(std::uint32_t contact, ContactTable& contacts);
 
@@ -93,12 +104,15 @@ public:
                    const JointSystem* joints = nullptr);
 
 private:
+    static constexpr std::uint8_t kSitsOut = 3;  // of isLoose_
+
     Parallel& parallel_;
     std::unique_ptr<ContactLanes> lanes_;
     LaneWidth width_ = LaneWidth::Best;  // of those; Best: there are none yet
     const Islands* islands_ = nullptr;  // of the step
     std::vector<std::uint32_t> loose_;  // contacts out of their lanes that have points, in solving order
-    std::vector<std::uint8_t> isLoose_;  // by contact: is it in that list?
+    std::vector<std::uint8_t> isLoose_;  // by contact: is it in that list, or would be, but sits out?
+    std::vector<std::uint32_t> outLoose_;  // those that sat out when they were chosen
     std::vector<std::uint8_t> inLane_;  // by contact: is it in its lane?
     std::vector<std::uint32_t> placeOf_;  // by contact: in the order of solving
     std::vector<std::uint32_t> looseEnds_;  // by color of the lanes

@@ -5,6 +5,7 @@
 
 #include "contacts/update.hpp"
 #include "solver/newcomers.hpp"
+#include "solver/quiet_bodies.hpp"
 #include "solver/tick_sweeps.hpp"
 
 #include <algorithm>
@@ -72,8 +73,10 @@ void WayPairs::add(const ShapePair& pair, bool meets)
 {
     const auto i = static_cast<std::uint32_t>(stage_.contacts.rows.size());
     Contact added = makeContact(stage_.world, pair);
-    for (const std::uint32_t row : {added.rowA, added.rowB})
+    for (const std::uint32_t row : {added.rowA, added.rowB}) {
         stage_.visited.visit(row, stage_.kernels, stage_.motions.rows, stage_.rows, context_, scratch_.tick);
+        wakeQuiet(stage_, row, context_);
+    }
     added.swept = true;
     stage_.contacts.order.push_back(i);
     stage_.contacts.rows.push_back(added);

@@ -117,6 +117,7 @@ struct ImpactScratch {
     Partners partners;  // of the shape that is paired again
     std::vector<std::uint32_t> met;  // contacts that have come in and meet
     std::vector<DueImpact> queue;  // a heap
+    std::vector<std::uint32_t> woken, wokenContacts;  // rows, contacts: quiet until now
 };
 
 }  // namespace tamias2d::inline TAMIAS_PRECISION

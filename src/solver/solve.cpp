@@ -8,6 +8,7 @@
 #include "solver/integrate.hpp"
 #include "solver/joint_passes.hpp"
 #include "solver/pass_hits.hpp"
+#include "solver/quiet_bodies.hpp"
 #include "solver/tick_sweeps.hpp"
 
 #include <atomic>
@@ -182,15 +183,56 @@ void settle(SolverStage& stage, const StepContext& context)
 
 void calm(SolverStage& stage, const StepContext& context)
 {
-    if (!(context.tuning.calmRate > 0)) return;
+    SolverScratch& scratch = stage.scratch;
+    calm(stage.motions.rows, scratch.rows, scratch.calmRows, scratch.bodies(), context, stage.parallel);
+}
+
+// Those that calming is for, in the ticks or, if `isQuiet`, in that of quiet ones.
+void chooseCalmRows(SolverStage& stage, bool isQuiet)
+{
+    findCalmRows(stage.islands, stage.scratch.calmRows);
+    leaveOut(stage.scratch.visited.quiet(), !isQuiet, stage.scratch.calmRows);
+}
+
+// Which bodies and contacts what follows is for: quiet ones, or all others.
+void choose(SolverStage& stage, bool isQuiet)
+{
+    SolverScratch& scratch = stage.scratch;
+    scratch.visited.choose(scratch.quiet.quiet, isQuiet);
+    scratch.passes.choose(stage.contacts, scratch.quiet.quiet, isQuiet);
+    chooseCalmRows(stage, isQuiet);
+}
+
+// A long tick has fewer passes than many short ones: with one alone, small pyramids quiver twice as often.
+constexpr int kQuietPasses = 2;
+
+// The step in one tick, for those that are quiet: no impact is near. Then the ticks are for all others.
+void tickQuiet(SolverStage& stage, const StepContext& context, ClampCounts& clamps)
+{
     SolverScratch& scratch = stage.scratch;
     Table<Motion>& rows = stage.motions.rows;
-    const std::vector<CalmPair>& grounded = scratch.calmRows.grounded;
-    stage.parallel.forEach(grounded.size(), kBodyGrain, [&](const Chunk& chunk) {
-        scratch.bodies().calm(rows.data(), grounded.data() + chunk.begin, chunk.end - chunk.begin,
-                              scratch.rows, context);
+    TickRows& lanes = scratch.rows;
+    const StepContext whole = wholeTick(context);
+    choose(stage, true);
+    for (std::uint32_t row = 0; row < rows.size(); ++row)
+        if (rows[row].isDamped() && scratch.visited.isQuiet(row)) startDamping(rows[row], whole.h);
+    scratch.passes.beginWhole(stage.contacts, context.ticks);
+    scratch.passes.prepare(stage.contacts, stage.motions, lanes, whole);
+    scratch.visited.forEach(stage.parallel, rows, lanes, [&](const BodyRows& run) {
+        std::uint32_t none[kBodyGrain];  // nobody strays
+        StrayList strays{none, 0};
+        scratch.bodies().startTick(run, whole, timeOf(0, whole), strays);
+        scratch.bodies().kick(run, whole, false);
     });
-    calmFloating(rows, scratch.rows.changes, scratch.calmRows, context);
+    for (int pass = 0; pass < kQuietPasses; ++pass)
+        scratch.passes.solve(stage.contacts, stage.motions, lanes, whole);
+    scratch.passes.finish(stage.contacts, stage.motions, lanes);
+    lanes.pushes.assign(rows.size(), {});
+    scratch.passes.pushApart(stage.contacts, stage.motions, lanes, whole, clamps);
+    clamps.speed += driftAll(stage, whole, true, true);
+    calm(stage, whole);
+    scratch.passes.endWhole(stage.contacts, context.ticks);
+    choose(stage, false);
 }
 
 }  // namespace
@@ -244,7 +286,12 @@ SolverCounts solve(SolverStage& stage, const StepContext& context)
     scratch.visited.begin(rows, stage.contacts, context, varies || !stage.system.empty());
 
     Stopwatch watch;
-    for (int tick = 0; tick < context.ticks; ++tick) {
+    if (findQuiet(impacts, context, stage.sameContacts, varies, scratch.quiet)) {
+        const ProfileScope span(stage.profile, "quiet");
+        tickQuiet(stage, context, counts.clamps);
+    }
+    const bool allAreQuiet = scratch.visited.chunks(rows.size()).empty() && scratch.visited.anyQuiet();
+    for (int tick = 0; tick < context.ticks && !allAreQuiet; ++tick) {
         const ProfileScope tickSpan(stage.profile, "tick");
         ProfileScope span(stage.profile, "forces");
         const double time = context.time + context.dt * tick / context.ticks;
@@ -268,6 +315,8 @@ SolverCounts solve(SolverStage& stage, const StepContext& context)
         hasJoints = !stage.system.empty();  // those of sleepers that were hit, too
         if (hasJoints) markMet(stage);
         if (varies || hasJoints) scratch.visited.visitAll(scratch.bodies(), rows, lanes, context, tick);
+        if (!scratch.impacts.woken.empty()) chooseCalmRows(stage, false);
+        scratch.impacts.woken.clear();
         if (stage.roused.size() > roused) seatJoints(stage);
         roused = stage.roused.size();
         counts.impactTime += watch.lap();
@@ -304,6 +353,7 @@ SolverCounts solve(SolverStage& stage, const StepContext& context)
         calm(stage, context);
         counts.solveTime += watch.lap();
     }
+    counts.quiet = countQuiet(scratch.visited, scratch.quiet);
     scratch.visited.end(scratch.bodies(), rows, lanes, context, stage.parallel);
     scratch.passes.endPiles(stage.contacts, stage.motions, context);
     counts.piles = static_cast<std::uint32_t>(scratch.passes.piles().count());

@@ -12,6 +12,7 @@
 #include "solver/contact_passes.hpp"
 #include "solver/hinge_lanes.hpp"
 #include "solver/impacts.hpp"
+#include "solver/quiet_bodies.hpp"
 
 namespace tamias2d::inline TAMIAS_PRECISION {
 
@@ -24,6 +25,7 @@ struct SolverScratch {
     ContactPasses passes;
     ImpactScratch impacts;
     VisitedBodies visited;
+    QuietScratch quiet;
 
     SolverScratch(LaneWidth lanes, Parallel& parallel)
         : passes(parallel), impacts(lanes), parallel_(parallel), asked_(askedLanes(lanes))
@@ -71,6 +73,7 @@ struct SolverCounts {
     ClampCounts clamps;
     std::uint32_t repaired = 0;
     std::uint32_t lawFaults = 0;
+    std::uint32_t quiet = 0;           ///< bodies that sat out all ticks but the first
     std::uint32_t piles = 0;           ///< solved at once
     std::uint32_t pileFallbacks = 0;   ///< visits to such a pile that found no solution
     double impactTime = 0, solveTime = 0;   ///< [ms]

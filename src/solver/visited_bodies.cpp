@@ -27,6 +27,7 @@ void VisitedBodies::begin(const Table<Motion>& motions, const ContactTable& cont
     isVisited_.assign(blocks, all ? 1 : 0);
     chunks_.reserve(isVisited_.capacity());
     lone_.reserve(isVisited_.capacity());
+    quiet_.clear();
     stale_ = true;
     if (all || blocks == 0) return;
     isVisited_.back() = 1;
@@ -38,14 +39,15 @@ void VisitedBodies::begin(const Table<Motion>& motions, const ContactTable& cont
     }
 }
 
-// The rows of all blocks that are `visited` or not, in chunks of at most so many.
-void VisitedBodies::list(std::uint8_t visited, std::uint32_t rows, std::uint32_t most,
-                         std::vector<BodyChunk>& into) const
+// The rows that are, looked at `step` at a time, in chunks of at most so many.
+template <class Is>
+void VisitedBodies::list(Is is, std::uint32_t step, std::uint32_t rows, std::uint32_t most,
+                         std::vector<BodyChunk>& into)
 {
     into.clear();
-    for (std::uint32_t block = 0; block < isVisited_.size(); ++block) {
-        if (isVisited_[block] != visited) continue;
-        const std::uint32_t begin = block * kBlock, end = minimum(begin + kBlock, rows);
+    for (std::uint32_t begin = 0; begin < rows; begin += step) {
+        if (!is(begin)) continue;
+        const std::uint32_t end = minimum(begin + step, rows);
         if (!into.empty() && into.back().end == begin && end - into.back().begin <= most)
             into.back().end = end;
         else
@@ -53,14 +55,37 @@ void VisitedBodies::list(std::uint8_t visited, std::uint32_t rows, std::uint32_t
     }
 }
 
+void VisitedBodies::listVisited(std::uint32_t rows)
+{
+    if (anyQuiet())
+        list([this](std::uint32_t row) { return !isLone(row) && isQuiet(row) == visitsQuiet_; }, 1, rows,
+             kBodyGrain, chunks_);
+    else
+        list([this](std::uint32_t row) { return !isLone(row); }, kBlock, rows, kBodyGrain,
+             chunks_);
+}
+
 const std::vector<BodyChunk>& VisitedBodies::chunks(std::size_t rows)
 {
-    const bool grows = chunks_.empty() ? rows > 0 : chunks_.back().end != rows;
-    if (!stale_ && !grows) return chunks_;
+    if (!stale_ && listed_ == rows) return chunks_;
     isVisited_.resize((rows + kBlock - 1) / kBlock, 1);
-    list(1, static_cast<std::uint32_t>(rows), kBodyGrain, chunks_);
+    listVisited(static_cast<std::uint32_t>(rows));
+    listed_ = rows;
     stale_ = false;
     return chunks_;
+}
+
+void VisitedBodies::choose(const std::vector<std::uint8_t>& quiet, bool isQuiet)
+{
+    quiet_.assign(quiet.begin(), quiet.end());
+    visitsQuiet_ = isQuiet;
+    stale_ = true;
+}
+
+void VisitedBodies::wake(std::uint32_t row)
+{
+    quiet_[row] = 0;
+    stale_ = true;
 }
 
 void VisitedBodies::visit(std::uint32_t row, const BodyKernels& kernels, Table<Motion>& motions,
@@ -87,7 +112,9 @@ void VisitedBodies::visitAll(const BodyKernels& kernels, Table<Motion>& motions,
 void VisitedBodies::end(const BodyKernels& kernels, Table<Motion>& motions, TickRows& rows,
                         const StepContext& context, Parallel& parallel)
 {
-    list(0, static_cast<std::uint32_t>(motions.size()), kLoneGrain, lone_);
+    const auto count = static_cast<std::uint32_t>(motions.size());
+    list([this](std::uint32_t row) { return isLone(row); }, kBlock, count, kLoneGrain,
+         lone_);
     parallel.forEach(lone_.size(), 1, [&](const Chunk& chunk) {
         const auto [begin, end] = lone_[chunk.begin];
         kernels.fly({motions.data(), rows, begin, end}, context, context.ticks);

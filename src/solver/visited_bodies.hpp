@@ -18,6 +18,8 @@ struct BodyChunk {
 /// pair in it, carries nothing and goes exactly as it was expected to. All its ticks are done together when
 /// the step ends, in registers; or as far as the step has come, if it gets a pair after all. That gives the
 /// bits of doing tick by tick what is done with visited ones.
+///
+/// Nor does a tick visit those that are quiet (solver/quiet_bodies.hpp), but for the one that stands for all.
 class VisitedBodies {
 public:
     /// Before the first tick. Facts and rows of contacts are the same, one by one. If `all`, nobody is lone.
@@ -37,10 +39,18 @@ public:
     /// From here on the body is visited: brought to where it is in the tick `tick`, once that has started.
     void visit(std::uint32_t row, const BodyKernels& kernels, Table<Motion>& motions, TickRows& rows,
                const StepContext& context, int tick);
-    /// The same of all.
+    /// From here on only those are visited that are `quiet`, by row, or only others.
+    void choose(const std::vector<std::uint8_t>& quiet, bool isQuiet);
+    const std::vector<std::uint8_t>& quiet() const { return quiet_; }
+    bool anyQuiet() const { return !quiet_.empty(); }
+    bool isQuiet(std::uint32_t row) const { return row < quiet_.size() && quiet_[row] != 0; }
+    bool isLone(std::uint32_t row) const { return isVisited_[row / kBlock] == 0; }
+    /// From here on it is visited as those that are not.
+    void wake(std::uint32_t row);
+    /// All lone ones are.
     void visitAll(const BodyKernels& kernels, Table<Motion>& motions, TickRows& rows,
                   const StepContext& context, int tick);
-    /// When the last tick has ended: the ticks of all that were not visited.
+    /// When the last tick has ended: the ticks of all lone ones.
     void end(const BodyKernels& kernels, Table<Motion>& motions, TickRows& rows, const StepContext& context,
              Parallel& parallel);
 
@@ -49,11 +59,16 @@ private:
     static constexpr std::uint32_t kLoneGrain = 64;  // rows that stay in the nearest cache through all ticks
 
     std::vector<std::uint8_t> isVisited_;  // by block; the last one always is, as rows are added to it
+    std::vector<std::uint8_t> quiet_;  // by row; empty if none is
+    bool visitsQuiet_ = false;
     std::vector<BodyChunk> chunks_, lone_;
+    std::size_t listed_ = 0;  // rows that chunks_ is a list of
     bool stale_ = true;  // are the chunks to be listed again?
 
-    void list(std::uint8_t visited, std::uint32_t rows, std::uint32_t most,
-              std::vector<BodyChunk>& into) const;
+    template <class Is>
+    static void list(Is is, std::uint32_t step, std::uint32_t rows, std::uint32_t most,
+                     std::vector<BodyChunk>& into);
+    void listVisited(std::uint32_t rows);
 };
 
 }  // namespace tamias2d::inline TAMIAS_PRECISION

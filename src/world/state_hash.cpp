@@ -19,7 +19,7 @@ void add(Hasher& hash, const WorldDef& def)
     addFlags(hash, def.frictionMixing, def.restitutionMixing);
     const Tuning& t = def.tuning;
     for (const real value : {t.restGap, t.touchingFactor, t.pushRate, t.pushSpeed, t.pushSlack, t.restless,
-                             t.calmRate, t.calmSpeed, t.impactThreshold})
+                             t.calmRate, t.calmSpeed, t.quiet, t.impactThreshold})
         hash.add(value);
     for (const int value : {t.extraPasses, t.crowd, t.impactsPerContact})
         hash.add(static_cast<std::uint64_t>(value));

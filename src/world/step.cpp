@@ -308,6 +308,7 @@ StepReport World::Impl::step(double dt, int substeps)
     ++steps;
     r.bodies = census.bodies;
     r.dynamicBodies = census.dynamicBodies;
+    r.quiet = counts.quiet;
     r.asleep = asleep.bodies;
     r.awake = census.dynamicBodies - asleep.bodies;
     r.shapes = census.shapes;

@@ -22,6 +22,7 @@ const std::vector<BadNumber<Tuning>> kTuningFields = {
      {INT_MIN, -1, 101, INT_MAX},
      [](Tuning& t, double x) { t.extraPasses = static_cast<int>(x); }},
     {"restless", kNotPositive, [](Tuning& t, double x) { t.restless = toReal(x); }},
+    {"quiet", notFiniteAnd({-0.01, 0.2}), [](Tuning& t, double x) { t.quiet = toReal(x); }},
     {"calmRate", notFiniteAnd({-0.01, 1, 2}), [](Tuning& t, double x) { t.calmRate = toReal(x); }},
     {"calmSpeed", kNotPositive, [](Tuning& t, double x) { t.calmSpeed = toReal(x); }},
     {"impactThreshold", notFiniteAnd({0, 0.09, 10.1}),

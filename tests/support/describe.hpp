@@ -67,7 +67,7 @@ inline void write(std::ostream& out, const WorldDef& def)
         << " mixing " << int(def.frictionMixing) << ' ' << int(def.restitutionMixing) << " tuning "
         << t.restGap << ' ' << t.touchingFactor << ' ' << t.pushRate << ' ' << t.pushSpeed << ' '
         << t.pushSlack << ' ' << t.extraPasses << ' ' << t.restless << ' ' << t.calmRate << ' ' << t.calmSpeed
-        << ' ' << t.impactThreshold << ' ' << t.crowd << ' ' << t.impactsPerContact << ' ' << t.sleepTime
+        << ' ' << t.quiet << ' ' << t.impactThreshold << ' ' << t.crowd << ' ' << t.impactsPerContact << ' ' << t.sleepTime
         << ' ' << t.sleepSpeed << " sleep " << def.allowSleep << '\n';
 }
 

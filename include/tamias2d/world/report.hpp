@@ -31,6 +31,7 @@ struct StepReport {
     std::uint32_t bodies = 0;            ///< enabled ones
     std::uint32_t dynamicBodies = 0;
     std::uint32_t awake = 0;             ///< dynamic ones that take part in steps
+    std::uint32_t quiet = 0;  ///< of those: at rest, they made the step in one tick (Tuning::quiet)
     std::uint32_t asleep = 0;            ///< dynamic ones at rest, which cost nothing
     std::uint32_t shapes = 0;            ///< of enabled bodies
     std::uint32_t pairs = 0;             ///< of shapes whose swept boxes overlap, one of a body awake
