@@ -248,6 +248,30 @@ void addSteady(const Contact& contact, const Motion& a, const Motion& b, BodyMot
     steadyB.spin += b.invInertia * contact.rollingImpulse;
 }
 
+ContactLoad loadOf(const Contact& contact)
+{
+    const Vec2 n = contact.normal, t = perpendicular(n);
+    ContactLoad load;
+    for (int i = 0; i < contact.count; ++i) {
+        const ContactPointRow& point = contact.points[i];
+        const Vec2 impulse = point.normalImpulse * n + point.tangentImpulse * t;
+        load.impulse += impulse;
+        load.momentA += cross(point.armA, impulse);
+        load.momentB += cross(point.armB, impulse);
+    }
+    load.momentA += contact.rollingImpulse;
+    load.momentB += contact.rollingImpulse;
+    return load;
+}
+
+void addLoad(const ContactLoad& load, Motion& a, Motion& b)
+{
+    a.steady -= {a.invMass.x * load.impulse.x, a.invMass.y * load.impulse.y};
+    a.steadySpin -= a.invInertia * load.momentA;
+    b.steady += {b.invMass.x * load.impulse.x, b.invMass.y * load.impulse.y};
+    b.steadySpin += b.invInertia * load.momentB;
+}
+
 void limitSteady(Motion& m, const StepContext& context)
 {
     m.steady = {limitedChange(m.steady.x, context.mostSteady), limitedChange(m.steady.y, context.mostSteady)};

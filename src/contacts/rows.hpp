@@ -89,6 +89,11 @@ void addSteady(const Contact& contact, const Motion& a, const Motion& b, BodyMot
                BodyMotion<real>& steadyB);
 
 /// Holds the sum of them to what forces may do in a tick. Loads of a heavy body would throw it out of the
+/// What it carries, by the arms that it has.
+ContactLoad loadOf(const Contact& contact);
+/// Adds the velocity changes by that, in a tick, to what the bodies are expected to have.
+void addLoad(const ContactLoad& load, Motion& a, Motion& b);
+
 /// world, and infinities into its neighbors, when its mass has just been set to a tiny one.
 void limitSteady(Motion& m, const StepContext& context);
 

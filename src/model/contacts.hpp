@@ -76,10 +76,17 @@ struct ContactFacts {
     bool swept;
 };
 
+/// What a contact carries in a tick, on B; A bears the opposite.
+struct ContactLoad {
+    Vec2 impulse;               // [N*s]
+    real momentA = 0, momentB = 0;   // about the centers   [N*m*s]
+};
+
 /// All contacts, sorted by (shapeA, shapeB); those found in mid-step stand at the end until the next.
 struct ContactTable {
     Table<Contact> rows;
     Table<ContactFacts> facts;  // of the rows, one by one, from the manifolds of a step to the next
+    Table<ContactLoad> loads;   // likewise, from the end of a step to the next
     std::vector<std::uint32_t> order;  // in which they are solved: by color, then by row
     std::vector<std::uint32_t> colorEnds;  // where each color ends in it; the last one is solved in order
 };

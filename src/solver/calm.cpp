@@ -25,7 +25,7 @@ bool findLoaded(const Table<Motion>& rows, CalmRows& calmRows)
 {
     bool any = false;
     calmRows.islands.assign(calmRows.islands.size(), {});
-    for (const auto [row, number] : calmRows.floating)
+    for (const auto [row, number] : calmRows.chosenFloating)
         if (rows[row].isLoaded()) any = calmRows.islands[number].bears = true;
     return any;
 }
@@ -35,7 +35,7 @@ void measureFreeIslands(const Table<Motion>& rows, const Table<TickChange>& chan
 {
     std::vector<FreeIsland>& free = calmRows.islands;
     const auto each = [&](auto&& visit) {
-        for (const FloatingRow& is : calmRows.floating)
+        for (const FloatingRow& is : calmRows.chosenFloating)
             if (free[is.island].bears && rows[is.row].isFree())
                 visit(free[is.island], rows[is.row], changes[is.row]);
     };
@@ -78,7 +78,7 @@ void calmFloating(Table<Motion>& rows, const Table<TickChange>& changes, CalmRow
     std::vector<FreeIsland>& free = calmRows.islands;
     measureFreeIslands(rows, changes, calmRows);
 
-    for (const auto [i, number] : calmRows.floating) {
+    for (const auto [i, number] : calmRows.chosenFloating) {
         Motion& m = rows[i];
         if (!m.isLoaded() || !m.isFree()) continue;  // a locked one's momentum could not be given back
         FreeIsland& island = free[number];
@@ -104,7 +104,7 @@ void calmFloating(Table<Motion>& rows, const Table<TickChange>& changes, CalmRow
     }
 
     // What an island lost comes back as a rigid motion of the whole.
-    for (const auto [i, number] : calmRows.floating) {
+    for (const auto [i, number] : calmRows.chosenFloating) {
         Motion& m = rows[i];
         const FreeIsland& f = free[number];
         if (!m.isFree() || !(f.mass > 0) || !(f.inertia > 0)) continue;
@@ -138,18 +138,29 @@ void findCalmRows(const Islands& islands, CalmRows& found)
     found.islands.resize(floating);
 }
 
-void leaveOut(const std::vector<std::uint8_t>& quiet, bool isQuiet, CalmRows& calmRows)
+void chooseCalmRows(CalmRows& calmRows)
 {
-    const auto is = [&](std::uint32_t row) { return row < quiet.size() && (quiet[row] != 0) == isQuiet; };
-    std::erase_if(calmRows.grounded, [&](const CalmPair& pair) { return is(pair.row); });
-    std::erase_if(calmRows.floating, [&](const FloatingRow& floating) { return is(floating.row); });
+    calmRows.chosenGrounded.assign(calmRows.grounded.begin(), calmRows.grounded.end());
+    calmRows.chosenFloating.assign(calmRows.floating.begin(), calmRows.floating.end());
+}
+
+void chooseCalmRows(const std::vector<std::uint8_t>& quiet, bool isQuiet, CalmRows& calmRows)
+{
+    const auto choose = [&](const auto& from, auto& into) {
+        into.clear();
+        into.reserve(from.capacity());
+        for (const auto& each : from)
+            if ((each.row < quiet.size() && quiet[each.row] != 0) == isQuiet) into.push_back(each);
+    };
+    choose(calmRows.grounded, calmRows.chosenGrounded);
+    choose(calmRows.floating, calmRows.chosenFloating);
 }
 
 void calm(Table<Motion>& rows, TickRows& lanes, CalmRows& calmRows, const BodyKernels& kernels,
           const StepContext& context, Parallel& parallel)
 {
     if (!(context.tuning.calmRate > 0)) return;
-    const std::vector<CalmPair>& grounded = calmRows.grounded;
+    const std::vector<CalmPair>& grounded = calmRows.chosenGrounded;
     parallel.forEach(grounded.size(), kBodyGrain, [&](const Chunk& chunk) {
         kernels.calm(rows.data(), grounded.data() + chunk.begin, chunk.end - chunk.begin, lanes, context);
     });

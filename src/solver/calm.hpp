@@ -49,11 +49,14 @@ struct CalmRows {
     std::vector<FloatingRow> floating;  // those whose island stands on nothing
     std::vector<FreeIsland> islands;  // that stand on nothing
     std::vector<std::uint32_t> numberOf;  // by island: which of those it is
+    std::vector<CalmPair> chosenGrounded;  // those that the tick is for
+    std::vector<FloatingRow> chosenFloating;
 };
 void findCalmRows(const Islands& islands, CalmRows& found);
 
-/// Leaves out those whose bodies are `quiet`, by row, or all others.
-void leaveOut(const std::vector<std::uint8_t>& quiet, bool isQuiet, CalmRows& calmRows);
+/// Chooses all of them, or those whose bodies are `quiet`, by row, or all others.
+void chooseCalmRows(CalmRows& calmRows);
+void chooseCalmRows(const std::vector<std::uint8_t>& quiet, bool isQuiet, CalmRows& calmRows);
 
 struct BodyKernels;
 

@@ -39,6 +39,9 @@ struct ContactKernels {
     /// The pass that undoes overlaps; returns how many points it held back to the fastest push.
     static std::uint32_t push(const Block* blocks, Source* sources, std::size_t count, TickRows& rows,
                               const StepContext& context);
+    /// A tick that stands for many begins, and ends: see ContactLanes. `quiet` is by row.
+    static void beginWhole(Block* blocks, std::size_t count, const std::uint8_t* quiet, real ticks);
+    static void endWhole(Block* blocks, Source* sources, std::size_t count, real ticks);
     static void repay(const Block* blocks, Source* sources, std::size_t count, TickRows& rows,
                       const StepContext& context);
 };

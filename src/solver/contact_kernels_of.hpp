@@ -44,6 +44,17 @@ void addUp(const ContactBlock<W>& block, ContactSource<W>& source)
     }
 }
 
+// Of those that take part.
+template <int W>
+void scaleImpulses(ContactBlock<W>& block, real factor)
+{
+    const Lane<W> by = select(maskOf<W>(block.active), Lane<W>(factor), Lane<W>(real(1)));
+    for (int k = 0; k < block.points(); ++k) {
+        block.row.points[k].normalImpulse = by * block.row.points[k].normalImpulse;
+        block.row.points[k].tangentImpulse = by * block.row.points[k].tangentImpulse;
+    }
+}
+
 template <int W>
 BasicVec2<Lane<W>> apart(const ContactSource<W>& source, const FourLanes<W>& a, const FourLanes<W>& b)
 {
@@ -307,6 +318,38 @@ void ContactKernels<W>::repay(const Block* blocks, Source* sources, std::size_t 
         setMotion(b, motionB);
         scatterRows<W>(a, rows.velocities.data(), block.rowA, block.active & block.movesA);
         scatterRows<W>(b, rows.velocities.data(), block.rowB, block.active & block.movesB);
+    }
+}
+
+template <int W>
+void ContactKernels<W>::beginWhole(Block* blocks, std::size_t count, const std::uint8_t* quiet, real ticks)
+{
+    for (std::size_t at = 0; at < count; ++at) {
+        Block& block = blocks[at];
+        const std::uint32_t all = block.active | block.out;
+        block.active = 0;
+        for (int lane = 0; lane < W; ++lane)
+            block.active |= static_cast<std::uint32_t>(quiet[block.rowA[lane]] & quiet[block.rowB[lane]])
+                            << lane;
+        block.active &= all;
+        block.out = all & ~block.active;
+        if (block.active != 0) scaleImpulses(block, ticks);
+    }
+}
+
+template <int W>
+void ContactKernels<W>::endWhole(Block* blocks, Source* sources, std::size_t count, real ticks)
+{
+    for (std::size_t at = 0; at < count; ++at) {
+        Block& block = blocks[at];
+        if (block.active != 0) {
+            addUp(block, sources[at]);
+            sources[at].counted = maskOf<W>(0);
+            scaleImpulses(block, 1 / ticks);
+        }
+        const std::uint32_t done = block.active;
+        block.active = block.out;
+        block.out = done;
     }
 }
 

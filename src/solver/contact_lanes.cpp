@@ -35,8 +35,8 @@ public:
     }
     void unload(std::uint32_t contact, Contact& row) override;
     void drop(std::uint32_t contact) override;
-    void choose(const std::vector<std::uint8_t>& quiet, bool isQuiet) override;
-    void chooseAll() override;
+    void beginWhole(const std::vector<std::uint8_t>& quiet, real ticks) override;
+    void endWhole(real ticks) override;
     bool sitsOut(std::uint32_t contact) const override
     {
         return (blocks_[laneOf_[contact] / W].out >> laneOf_[contact] % W & 1u) != 0;
@@ -48,8 +48,7 @@ public:
         b.out &= ~bit;
         b.active |= bit;
     }
-    void scale(real factor) override;
-    void addUpAll() override;
+    void comeIn() override;
     void storeAll(Table<Contact>& rows) const override;
 
     void loadMarked(const std::vector<std::uint8_t>& marks, std::uint8_t mark, const Table<Contact>& contacts,
@@ -130,8 +129,6 @@ private:
     void sortByKind(const ContactTable& contacts);
     void store(std::size_t slot, Contact& row) const;
     void leaveEmpty(std::size_t slot);
-    template <class Visit>
-    void eachBlock(Visit visit);
     std::size_t closeUp(std::uint32_t* list, std::size_t first, std::size_t end) const;
     template <class Find>
     void listAll(Find find, std::vector<std::uint32_t>& found) const;
@@ -449,67 +446,29 @@ void ContactLanesOf<W>::unload(std::uint32_t contact, Contact& c)
 }
 
 template <int W>
-template <class Visit>
-void ContactLanesOf<W>::eachBlock(Visit visit)
+void ContactLanesOf<W>::beginWhole(const std::vector<std::uint8_t>& quiet, real ticks)
 {
     parallel_.forEach(blocks_.size(), kGrain, [&](const Chunk& chunk) {
-        for (std::size_t k = chunk.begin; k < chunk.end; ++k) visit(blocks_[k], sources_[k]);
+        Kernels::beginWhole(blocks_.data() + chunk.begin, chunk.end - chunk.begin, quiet.data(), ticks);
     });
 }
 
 template <int W>
-void ContactLanesOf<W>::choose(const std::vector<std::uint8_t>& quiet, bool isQuiet)
+void ContactLanesOf<W>::endWhole(real ticks)
 {
-    eachBlock([&](Block& b, Source&) {
-        const std::uint32_t all = b.active | b.out;
-        b.active = 0;
-        for (std::uint32_t left = all; left != 0; left &= left - 1) {
-            const int lane = __builtin_ctz(left);
-            if (((quiet[b.rowA[lane]] & quiet[b.rowB[lane]]) != 0) == isQuiet) b.active |= 1u << lane;
-        }
-        b.out = all & ~b.active;
+    parallel_.forEach(blocks_.size(), kGrain, [&](const Chunk& chunk) {
+        Kernels::endWhole(blocks_.data() + chunk.begin, sources_.data() + chunk.begin,
+                          chunk.end - chunk.begin, ticks);
     });
 }
 
 template <int W>
-void ContactLanesOf<W>::chooseAll()
+void ContactLanesOf<W>::comeIn()
 {
-    eachBlock([](Block& b, Source&) {
+    for (Block& b : blocks_) {
         b.active |= b.out;
         b.out = 0;
-    });
-}
-
-template <int W>
-void ContactLanesOf<W>::scale(real factor)
-{
-    eachBlock([factor](Block& b, Source&) {
-        if (b.active == 0) return;
-        const Lane<W> by = select(maskOf<W>(b.active), Lane<W>(factor), Lane<W>(real(1)));
-        for (PointRow<Lane<W>>& p : b.row.points) {
-            p.normalImpulse = by * p.normalImpulse;
-            p.tangentImpulse = by * p.tangentImpulse;
-        }
-    });
-}
-
-template <int W>
-void ContactLanesOf<W>::addUpAll()
-{
-    const Lane<W> zero(real(0));
-    eachBlock([zero](Block& b, Source& s) {
-        if (b.active == 0) return;
-        const LaneMask<W> mask = maskOf<W>(b.active);
-        const BasicVec2<Lane<W>> n = b.row.normal, t = perpendicular(n);
-        for (int k = 0; k < 2; ++k) {
-            const Lane<W> normal = select(mask, b.row.points[k].normalImpulse, zero);
-            const Lane<W> tangent = select(mask, b.row.points[k].tangentImpulse, zero);
-            s.stepNormal[k] += normal;
-            s.stepTangent[k] += tangent;
-            s.stepImpulse += normal * n + tangent * t;
-            s.counted = s.counted & !mask;
-        }
-    });
+    }
 }
 
 // Block by block: two threads must not write lanes of one block.

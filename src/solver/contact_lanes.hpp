@@ -66,17 +66,16 @@ public:
     virtual void unload(std::uint32_t contact, Contact& row) = 0;
     /// Takes the contact out of its lane; what the table has of it is newer.
     virtual void drop(std::uint32_t contact) = 0;
-    /// Only contacts of which both bodies are `quiet`, by row, take part for now, or all others: the rest sit
-    /// it out, in their lanes.
-    virtual void choose(const std::vector<std::uint8_t>& quiet, bool isQuiet) = 0;
-    virtual void chooseAll() = 0;
+    /// A tick that stands for so many begins: only contacts of which both bodies are `quiet`, by row, take
+    /// part, with impulses that are so many times as great; the rest sit it out, in their lanes.
+    virtual void beginWhole(const std::vector<std::uint8_t>& quiet, real ticks) = 0;
+    /// It ends: all that was done is added to the sums, impulses are those of one tick again. Those that have
+    /// taken part sit out what follows, and the rest do not.
+    virtual void endWhole(real ticks) = 0;
     virtual bool sitsOut(std::uint32_t contact) const = 0;
-    /// It takes part again.
+    /// It takes part again; all do.
     virtual void comeIn(std::uint32_t contact) = 0;
-    /// Of those that take part: another unit of time for the impulses, which are so many times as great.
-    virtual void scale(real factor) = 0;
-    /// Adds their impulses to the sums.
-    virtual void addUpAll() = 0;
+    virtual void comeIn() = 0;
     /// Gives impulses and sums of all back, which stay in their lanes.
     virtual void storeAll(Table<Contact>& rows) const = 0;
 

@@ -70,7 +70,6 @@ void ContactPasses::begin(ContactTable& contacts, const MotionTable& motions, co
     const std::size_t count = contacts.rows.size();
     islands_ = &islands;
     loose_.clear();
-    outLoose_.clear();
     isLoose_.resize(count);
     inLane_.resize(count);
     if (same && lanes_->fits(contacts.rows, renewed, context)) {
@@ -104,37 +103,33 @@ void ContactPasses::begin(ContactTable& contacts, const MotionTable& motions, co
 
 void ContactPasses::end(ContactTable& contacts)
 {
-    lanes_->chooseAll();
+    lanes_->comeIn();
     lanes_->storeAll(contacts.rows);
 }
 
-void ContactPasses::choose(const ContactTable& contacts, const std::vector<std::uint8_t>& quiet, bool isQuiet)
+void ContactPasses::beginWhole(ContactTable& contacts, const std::vector<std::uint8_t>& quiet, int ticks)
 {
-    lanes_->choose(quiet, isQuiet);
-    list_.swap(loose_);
-    for (const std::uint32_t i : outLoose_)
-        if (isLoose_[i] == kSitsOut) list_.push_back(i);
-    loose_.clear();
+    lanes_->beginWhole(quiet, static_cast<real>(ticks));
     outLoose_.clear();
-    for (const std::uint32_t i : list_) {
-        const Contact& c = contacts.rows[i];
-        const bool takesPart = ((quiet[c.rowA] & quiet[c.rowB]) != 0) == isQuiet;
-        isLoose_[i] = takesPart ? 1 : kSitsOut;
-        (takesPart ? loose_ : outLoose_).push_back(i);
-    }
-}
-
-void ContactPasses::beginWhole(ContactTable& contacts, int ticks)
-{
-    lanes_->scale(static_cast<real>(ticks));
-    for (const std::uint32_t i : loose_) scale(contacts.rows[i], static_cast<real>(ticks));
+    std::erase_if(loose_, [&](std::uint32_t i) {
+        Contact& c = contacts.rows[i];
+        const bool takesPart = (quiet[c.rowA] & quiet[c.rowB]) != 0;
+        if (takesPart)
+            scale(c, static_cast<real>(ticks));
+        else
+            outLoose_.push_back(i);
+        return !takesPart;
+    });
 }
 
 void ContactPasses::endWhole(ContactTable& contacts, int ticks)
 {
-    lanes_->addUpAll();
-    lanes_->scale(1 / static_cast<real>(ticks));
-    for (const std::uint32_t i : loose_) scale(contacts.rows[i], 1 / static_cast<real>(ticks));
+    lanes_->endWhole(static_cast<real>(ticks));
+    for (const std::uint32_t i : loose_) {
+        scale(contacts.rows[i], 1 / static_cast<real>(ticks));
+        isLoose_[i] = kSitsOut;
+    }
+    loose_.swap(outLoose_);
 }
 
 bool ContactPasses::comeIn(std::uint32_t contact, ContactTable& contacts, int ticks)
@@ -283,8 +278,8 @@ void ContactPasses::solve(ContactTable& contacts, MotionTable& motions, TickRows
                         setVelocity(rows.velocities[c.rowA], velocityOf(a));
                         setVelocity(rows.velocities[c.rowB], velocityOf(b));
                     });
-        const bool left =
-            joints != nullptr && !piles_.empty() && piles_.pass(0, pass == 0, contacts, *world, *joints, rows.velocities, unrest_);
+        const bool left = joints != nullptr && !piles_.empty() &&
+                          piles_.pass(0, pass == 0, contacts, *world, *joints, rows.velocities, unrest_);
         if (!left && std::none_of(unrest_.begin(), unrest_.end(), [](std::uint8_t is) { return is != 0; }))
             break;
     }
@@ -388,7 +383,8 @@ void ContactPasses::pushApart(ContactTable& contacts, MotionTable& motions, Tick
                     rows.pushes[c.rowA] = laneRow(a);
                     rows.pushes[c.rowB] = laneRow(b);
                 });
-    if (joints != nullptr && !piles_.empty()) piles_.pushApart(contacts, *world, *joints, rows.pushes, clamps);
+    if (joints != nullptr && !piles_.empty())
+        piles_.pushApart(contacts, *world, *joints, rows.pushes, clamps);
     visitColors([&](int color) { lanes_->repay(color, rows, context); },
                 [&](std::uint32_t i) {
                     Contact& c = contacts.rows[i];

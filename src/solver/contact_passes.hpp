@@ -30,12 +30,10 @@ public:
     /// Tells the table what all have done.
     void end(ContactTable& contacts);
 
-    /// Between two ticks: only contacts of which both bodies are `quiet`, by row, take part in what follows,
-    /// or all others.
-    void choose(const ContactTable& contacts, const std::vector<std::uint8_t>& quiet, bool isQuiet);
-    /// A tick that stands for so many begins, and ends, for those that take part: what they carry is that
-    /// many times as much, and all of it is of the step.
-    void beginWhole(ContactTable& contacts, int ticks);
+    /// A tick that stands for so many begins: only contacts of which both bodies are `quiet`, by row, take
+    /// part, and carry that many times as much.
+    void beginWhole(ContactTable& contacts, const std::vector<std::uint8_t>& quiet, int ticks);
+    /// It ends; only all others take part in what follows.
     void endWhole(ContactTable& contacts, int ticks);
     /// A contact that sits out takes part again, when all that it has done in so many ticks to come is yet to
     /// be done: it is loose then, and to be prepared. Returns whether it was one.
@@ -112,7 +110,7 @@ private:
     const Islands* islands_ = nullptr;  // of the step
     std::vector<std::uint32_t> loose_;  // contacts out of their lanes that have points, in solving order
     std::vector<std::uint8_t> isLoose_;  // by contact: is it in that list, or would be, but sits out?
-    std::vector<std::uint32_t> outLoose_;  // those that sat out when they were chosen
+    std::vector<std::uint32_t> outLoose_;  // those that sit out a tick that stands for many
     std::vector<std::uint8_t> inLane_;  // by contact: is it in its lane?
     std::vector<std::uint32_t> placeOf_;  // by contact: in the order of solving
     std::vector<std::uint32_t> looseEnds_;  // by color of the lanes

@@ -117,12 +117,15 @@ FinalCounts finalize(MotionTable& motions, ContactTable& contacts, const ShapeTa
     ofChunks.assign(Parallel::chunksOf(contacts.rows.size(), kContacts), {});
     scratch.touchChanges.resize(contacts.rows.size());
     contacts.facts.resize(contacts.rows.size());
+    contacts.loads.reserve(contacts.rows.capacity());
+    contacts.loads.resize(contacts.rows.size());
     parallel.forEach(contacts.rows.size(), kContacts, [&](const Chunk& chunk) {
         for (std::size_t i = chunk.begin; i < chunk.end; ++i) {
             Contact& c = contacts.rows[i];
             FinalCounts& ofChunk = ofChunks[chunk.index];
             finalizeContact(c, motions.rows[c.rowA], motions.rows[c.rowB], shapes, context, ofChunk);
             contacts.facts[i] = factsOf(c, context.tuning);
+            contacts.loads[i] = loadOf(c);
             scratch.touchChanges[i] = noteTouch(c, context.tuning, ofChunk);
         }
     });

@@ -5,6 +5,7 @@
 
 #include "base/disjoint_sets.hpp"
 #include "solver/integrate.hpp"
+#include "solver/tick_sweeps.hpp"
 
 #include <algorithm>
 
@@ -23,9 +24,10 @@ State stateOf(const ImpactStage& stage, std::uint32_t row, const StepContext& co
     // How far any point of it may come: what contacts carry balances what else acts on it, but for this.
     const Vec2 change = m.steady + context.h * m.acceleration;
     const real spinChange = m.steadySpin + context.h * m.spinRate;
-    const real speed = fastestPoint(m.velocity, m.spin, change, spinChange, m.extent,
-                                    static_cast<real>(context.ticks));
-    const real limit = context.tuning.quiet * context.tuning.restGap * stage.rows.predicted[row].width;
+    const real speed =
+        fastestPoint(m.velocity, m.spin, change, spinChange, m.extent, static_cast<real>(context.ticks));
+    const real limit = context.tuning.quiet * context.tuning.restGap *
+                       stage.world.shapes.widthOf(stage.world.bodies.rows[m.body]);
     return static_cast<real>(context.dt) * speed <= limit ? Slow : Moves;
 }
 
@@ -142,6 +144,7 @@ void wakeQuiet(ImpactStage& stage, std::uint32_t row, const StepContext& context
         StrayList strays{none, 0};
         stage.kernels.startTick({rows.data(), stage.rows, body, body + 1}, context,
                                 timeOf(scratch.tick, context), strays);
+        predictWay(stage, body, context);
     }
 }
 

@@ -17,9 +17,10 @@ struct QuietScratch {
     std::vector<std::uint8_t> quiet;       // by row: it is, or is a ground that holds still
 };
 
-/// Before the first tick: who makes the step in one tick as well as in all. A body at rest whose loads balance
-/// what acts on it, in the company of such bodies and of grounds that hold still. `same`: contacts are those
-/// of the step before; `varies`: the forces on some bodies change within it. Returns whether anyone is. docs/theory/calm.md, section 6.
+/// Before the first tick: who makes the step in one tick as well as in all. A body at rest whose loads
+/// balance what acts on it, in the company of such bodies and of grounds that hold still. `same`: contacts
+/// are those of the step before; `varies`: the forces on some bodies change within it. Returns whether anyone
+/// is. docs/theory/calm.md, section 6.
 bool findQuiet(ImpactStage& stage, const StepContext& context, bool same, bool varies, QuietScratch& scratch);
 /// How many bodies still are.
 std::uint32_t countQuiet(const VisitedBodies& visited, const QuietScratch& scratch);

@@ -187,24 +187,16 @@ void calm(SolverStage& stage, const StepContext& context)
     calm(stage.motions.rows, scratch.rows, scratch.calmRows, scratch.bodies(), context, stage.parallel);
 }
 
-// Those that calming is for, in the ticks or, if `isQuiet`, in that of quiet ones.
-void chooseCalmRows(SolverStage& stage, bool isQuiet)
-{
-    findCalmRows(stage.islands, stage.scratch.calmRows);
-    leaveOut(stage.scratch.visited.quiet(), !isQuiet, stage.scratch.calmRows);
-}
-
-// Which bodies and contacts what follows is for: quiet ones, or all others.
+// Which bodies what follows is for: quiet ones, or all others.
 void choose(SolverStage& stage, bool isQuiet)
 {
     SolverScratch& scratch = stage.scratch;
     scratch.visited.choose(scratch.quiet.quiet, isQuiet);
-    scratch.passes.choose(stage.contacts, scratch.quiet.quiet, isQuiet);
-    chooseCalmRows(stage, isQuiet);
+    chooseCalmRows(scratch.visited.quiet(), isQuiet, scratch.calmRows);
 }
 
 // A long tick has fewer passes than many short ones: with one alone, small pyramids quiver twice as often.
-constexpr int kQuietPasses = 2;
+constexpr int kQuietPasses = 3;
 
 // The step in one tick, for those that are quiet: no impact is near. Then the ticks are for all others.
 void tickQuiet(SolverStage& stage, const StepContext& context, ClampCounts& clamps)
@@ -214,9 +206,9 @@ void tickQuiet(SolverStage& stage, const StepContext& context, ClampCounts& clam
     TickRows& lanes = scratch.rows;
     const StepContext whole = wholeTick(context);
     choose(stage, true);
+    scratch.passes.beginWhole(stage.contacts, scratch.quiet.quiet, context.ticks);
     for (std::uint32_t row = 0; row < rows.size(); ++row)
         if (rows[row].isDamped() && scratch.visited.isQuiet(row)) startDamping(rows[row], whole.h);
-    scratch.passes.beginWhole(stage.contacts, context.ticks);
     scratch.passes.prepare(stage.contacts, stage.motions, lanes, whole);
     scratch.visited.forEach(stage.parallel, rows, lanes, [&](const BodyRows& run) {
         std::uint32_t none[kBodyGrain];  // nobody strays
@@ -274,8 +266,9 @@ SolverCounts solve(SolverStage& stage, const StepContext& context)
     seatJoints(stage);
     HingeLanes& hinges = scratch.hinges();
     std::size_t roused = 0;
-    startSweeps(impacts, context, stage.sameContacts ? &stage.renewed : nullptr);
-    findCalmRows(stage.islands, scratch.calmRows);
+    startSweeps(impacts, stage.sameContacts ? &stage.renewed : nullptr);
+    if (!stage.sameIslands) findCalmRows(stage.islands, scratch.calmRows);
+    chooseCalmRows(scratch.calmRows);
     for (Table<LaneRow>* each :
          {&lanes.starts, &lanes.velocities, &lanes.expected, &lanes.loads, &lanes.pushes})
         each->resize(rows.size());
@@ -290,6 +283,7 @@ SolverCounts solve(SolverStage& stage, const StepContext& context)
         const ProfileScope span(stage.profile, "quiet");
         tickQuiet(stage, context, counts.clamps);
     }
+    predictWays(impacts, context);
     const bool allAreQuiet = scratch.visited.chunks(rows.size()).empty() && scratch.visited.anyQuiet();
     for (int tick = 0; tick < context.ticks && !allAreQuiet; ++tick) {
         const ProfileScope tickSpan(stage.profile, "tick");
@@ -315,7 +309,7 @@ SolverCounts solve(SolverStage& stage, const StepContext& context)
         hasJoints = !stage.system.empty();  // those of sleepers that were hit, too
         if (hasJoints) markMet(stage);
         if (varies || hasJoints) scratch.visited.visitAll(scratch.bodies(), rows, lanes, context, tick);
-        if (!scratch.impacts.woken.empty()) chooseCalmRows(stage, false);
+        if (!scratch.impacts.woken.empty()) chooseCalmRows(scratch.visited.quiet(), false, scratch.calmRows);
         scratch.impacts.woken.clear();
         if (stage.roused.size() > roused) seatJoints(stage);
         roused = stage.roused.size();

@@ -62,6 +62,7 @@ struct SolverStage {
     std::vector<ImpactRecord>& impacts;   ///< filled
     std::vector<std::uint32_t>& roused;   ///< filled: sleeping groups that woke in mid-step
     bool sameContacts;                    ///< are they, one by one, those at the end of the last step?
+    bool sameIslands;                     ///< are the islands those of the last step?
     const std::vector<std::uint8_t>& renewed;   ///< by contact: has it another manifold than then?
     SolverScratch& scratch;
     Profile& profile;

@@ -78,27 +78,9 @@ PairRow pairRowOf(const Contact& c)
     return {c.rowA, c.rowB, c.swept ? c.apart : Apart{}, near, c.swept, false, 0, 0};
 }
 
-void startSweeps(ImpactStage& stage, const StepContext& context, const std::vector<std::uint8_t>* renewed)
+void startSweeps(ImpactStage& stage, const std::vector<std::uint8_t>* renewed)
 {
     ImpactScratch& scratch = stage.scratch;
-    Table<PredictedWay>& predicted = stage.rows.predicted;
-    predicted.clear();
-    for (const Motion& m : stage.motions.rows) {
-        const LaneRow& pose = stage.rows.poses[predicted.size()];
-        const real room = stage.motions.rooms[predicted.size()];
-        const Trajectory path = predictedPath(m, m.center, context.invH);
-        // What holds still leaves no box.
-        const real least = m.moves() ? stage.world.shapes.widthOf(stage.world.bodies.rows[m.body])
-                                     : std::numeric_limits<real>::max();
-        predicted.push_back({path.velocity,
-                             path.spin,
-                             slackOf(least, context) + room,
-                             path.acceleration,
-                             path.spinRate,
-                             0,
-                             {pose.x, pose.y},
-                             m.moves() ? least : real(0)});
-    }
     scratch.tree.clear();  // the boxes are new
     scratch.connected = false;
     const Table<Contact>& contacts = stage.contacts.rows;
@@ -118,6 +100,32 @@ void startSweeps(ImpactStage& stage, const StepContext& context, const std::vect
     for (std::uint32_t i = 0; i < contacts.size(); ++i)
         if (scratch.pairs[i].swept) scratch.swept.push_back(i);
     stage.rows.spans.resize(stage.motions.rows.size());
+}
+
+void predictWay(ImpactStage& stage, std::uint32_t row, const StepContext& context)
+{
+    const Motion& m = stage.motions.rows[row];
+    const LaneRow& pose = stage.rows.poses[row];
+    const Trajectory path = predictedPath(m, m.center, context.invH);
+    // What holds still leaves no box.
+    const real least = m.moves() ? stage.world.shapes.widthOf(stage.world.bodies.rows[m.body])
+                                 : std::numeric_limits<real>::max();
+    stage.rows.predicted[row] = {path.velocity,
+                                 path.spin,
+                                 slackOf(least, context) + stage.motions.rooms[row],
+                                 path.acceleration,
+                                 path.spinRate,
+                                 0,
+                                 {pose.x, pose.y},
+                                 m.moves() ? least : real(0)};
+}
+
+void predictWays(ImpactStage& stage, const StepContext& context)
+{
+    const auto rows = static_cast<std::uint32_t>(stage.motions.rows.size());
+    stage.rows.predicted.resize(rows);
+    for (std::uint32_t row = 0; row < rows; ++row)
+        if (!stage.visited.isQuiet(row)) predictWay(stage, row, context);
 }
 
 void resweepForTick(ImpactStage& stage, const StepContext& context)

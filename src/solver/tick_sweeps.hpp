@@ -14,7 +14,12 @@ real slackOf(real width, const StepContext& context);
 
 /// What holds for all ticks of a step. Of the contacts only those that are `renewed`, which may be null, are
 /// others than at the end of the last step.
-void startSweeps(ImpactStage& stage, const StepContext& context, const std::vector<std::uint8_t>* renewed);
+void startSweeps(ImpactStage& stage, const std::vector<std::uint8_t>* renewed);
+
+/// The ways that the boxes of bodies were made for, of all but quiet ones.
+void predictWays(ImpactStage& stage, const StepContext& context);
+/// That of one.
+void predictWay(ImpactStage& stage, std::uint32_t row, const StepContext& context);
 
 /// Looks again at the swept pairs, over this tick alone: at those that may meet in it, by how they are apart.
 /// docs/theory/contacts.md, section 3.

@@ -18,6 +18,15 @@ bool fliesAlone(const Motion& m, const StepContext& context)
            speed < mostSpeed(context.lengthUnit) && spin < mostSpin();
 }
 
+// Appends rows; in chunks of at most so many.
+void append(std::uint32_t begin, std::uint32_t end, std::uint32_t most, std::vector<BodyChunk>& chunks)
+{
+    if (!chunks.empty() && chunks.back().end == begin && end - chunks.back().begin <= most)
+        chunks.back().end = end;
+    else
+        chunks.push_back({begin, end});
+}
+
 }  // namespace
 
 void VisitedBodies::begin(const Table<Motion>& motions, const ContactTable& contacts,
@@ -39,30 +48,32 @@ void VisitedBodies::begin(const Table<Motion>& motions, const ContactTable& cont
     }
 }
 
-// The rows that are, looked at `step` at a time, in chunks of at most so many.
-template <class Is>
-void VisitedBodies::list(Is is, std::uint32_t step, std::uint32_t rows, std::uint32_t most,
-                         std::vector<BodyChunk>& into)
+// The rows of all blocks that are lone, or not.
+void VisitedBodies::list(bool lone, std::uint32_t rows, std::uint32_t most,
+                         std::vector<BodyChunk>& into) const
 {
     into.clear();
-    for (std::uint32_t begin = 0; begin < rows; begin += step) {
-        if (!is(begin)) continue;
-        const std::uint32_t end = minimum(begin + step, rows);
-        if (!into.empty() && into.back().end == begin && end - into.back().begin <= most)
-            into.back().end = end;
-        else
-            into.push_back({begin, end});
-    }
+    for (std::uint32_t begin = 0; begin < rows; begin += kBlock)
+        if (isLone(begin) == lone) append(begin, minimum(begin + kBlock, rows), most, into);
 }
 
 void VisitedBodies::listVisited(std::uint32_t rows)
 {
-    if (anyQuiet())
-        list([this](std::uint32_t row) { return !isLone(row) && isQuiet(row) == visitsQuiet_; }, 1, rows,
-             kBodyGrain, chunks_);
-    else
-        list([this](std::uint32_t row) { return !isLone(row); }, kBlock, rows, kBodyGrain,
-             chunks_);
+    if (!anyQuiet()) {
+        list(false, rows, kBodyGrain, chunks_);
+        return;
+    }
+    chunks_.clear();
+    for (std::uint32_t first = 0; first < rows; first += kBlock) {
+        if (isLone(first)) continue;
+        const std::uint32_t end = minimum(first + kBlock, rows);
+        for (std::uint32_t begin = first; begin < end;) {
+            while (begin < end && isQuiet(begin) != visitsQuiet_) ++begin;
+            const std::uint32_t from = begin;
+            while (begin < end && isQuiet(begin) == visitsQuiet_) ++begin;
+            if (begin > from) append(from, begin, kBodyGrain, chunks_);
+        }
+    }
 }
 
 const std::vector<BodyChunk>& VisitedBodies::chunks(std::size_t rows)
@@ -113,8 +124,7 @@ void VisitedBodies::end(const BodyKernels& kernels, Table<Motion>& motions, Tick
                         const StepContext& context, Parallel& parallel)
 {
     const auto count = static_cast<std::uint32_t>(motions.size());
-    list([this](std::uint32_t row) { return isLone(row); }, kBlock, count, kLoneGrain,
-         lone_);
+    list(true, count, kLoneGrain, lone_);
     parallel.forEach(lone_.size(), 1, [&](const Chunk& chunk) {
         const auto [begin, end] = lone_[chunk.begin];
         kernels.fly({motions.data(), rows, begin, end}, context, context.ticks);

@@ -65,9 +65,7 @@ private:
     std::size_t listed_ = 0;  // rows that chunks_ is a list of
     bool stale_ = true;  // are the chunks to be listed again?
 
-    template <class Is>
-    static void list(Is is, std::uint32_t step, std::uint32_t rows, std::uint32_t most,
-                     std::vector<BodyChunk>& into);
+    void list(bool lone, std::uint32_t rows, std::uint32_t most, std::vector<BodyChunk>& into) const;
     void listVisited(std::uint32_t rows);
 };
 

@@ -39,28 +39,6 @@ void gatherMotions(const BodyTable& bodies, bool all, MotionTable& motions, Para
             addRow(motions, bodies, slot);
 }
 
-// The warm start of the step before, for the prediction of where bodies go.
-void predictSteady(const ContactTable& contacts, const BodyTable& bodies, const ShapeTable& shapes,
-                   const JointTable& joints, const JointSystem& system, MotionTable& motions,
-                   const StepContext& context)
-{
-    addSteadyJoints(joints, system, motions.rows, 0);
-    addSteadyHinges(joints, bodies, system, motions.rows, 0);
-    Motion still;
-    for (const Contact& c : contacts.rows) {
-        const std::uint32_t bodyA = shapes.rows[c.shapeA].body, bodyB = shapes.rows[c.shapeB].body;
-        if (!bodies.rows[bodyA].enabled || !bodies.rows[bodyB].enabled) continue;
-        const std::uint32_t a = motions.rowOf[bodyA], b = motions.rowOf[bodyB];
-        Motion& ma = a == MotionTable::kNone ? still : motions.rows[a];
-        Motion& mb = b == MotionTable::kNone ? still : motions.rows[b];
-        BodyMotion<real> steadyA{ma.steady, ma.steadySpin}, steadyB{mb.steady, mb.steadySpin};
-        addSteady(c, ma, mb, steadyA, steadyB);
-        ma.steady = steadyA.velocity, ma.steadySpin = steadyA.spin;
-        mb.steady = steadyB.velocity, mb.steadySpin = steadyB.spin;
-    }
-    for (Motion& m : motions.rows) limitSteady(m, context);
-}
-
 // Does a moving shape meet one that sleeps?
 bool meets(const ContactWorld& world, const ShapePair& pair, const StepContext& context)
 {
@@ -81,6 +59,38 @@ void sortUnique(std::vector<std::uint32_t>& slots)
 }
 
 }  // namespace
+
+// Do bodies still have the rows of the step before? Grounds that get theirs later may have others.
+bool World::Impl::rowsAreKept() const
+{
+    const auto isOf = [](const Motion& m, std::uint32_t body) { return body == m.body; };
+    return motions.rows.size() <= rowBodies.size() &&
+           std::equal(motions.rows.begin(), motions.rows.end(), rowBodies.begin(), isOf);
+}
+
+// The warm start of the step before, for the prediction of where bodies go.
+void World::Impl::predictSteady(const StepContext& context)
+{
+    addSteadyJoints(joints, jointSystem, motions.rows, 0);
+    addSteadyHinges(joints, bodies, jointSystem, motions.rows, 0);
+    Motion still;
+    const auto motionAt = [&](std::uint32_t row) -> Motion& {
+        return row < motions.rows.size() ? motions.rows[row] : still;
+    };
+    if (pairsAreCurrent && resting.changes() == restingChanges && rowsAreKept()) {
+        for (std::size_t i = 0; i < contacts.loads.size(); ++i) {
+            const ContactFacts& of = contacts.facts[i];
+            addLoad(contacts.loads[i], motionAt(of.rowA), motionAt(of.rowB));
+        }
+    } else {
+        for (const Contact& c : contacts.rows) {
+            const std::uint32_t bodyA = shapes.rows[c.shapeA].body, bodyB = shapes.rows[c.shapeB].body;
+            if (!bodies.rows[bodyA].enabled || !bodies.rows[bodyB].enabled) continue;
+            addLoad(loadOf(c), motionAt(motions.rowOf[bodyA]), motionAt(motions.rowOf[bodyB]));
+        }
+    }
+    for (Motion& m : motions.rows) limitSteady(m, context);
+}
 
 // The other bodies of the joints of those that take part: grounds get a row, sleepers wake.
 void World::Impl::gatherPartners()
@@ -157,7 +167,7 @@ std::uint32_t World::Impl::gather(const ForceField& forces, const StepContext& c
             continue;
         }
         gatherJoints(joints, bodies, motions, jointSystem);
-        predictSteady(contacts, bodies, shapes, joints, jointSystem, motions, context);
+        predictSteady(context);
         faults = accelerate(motions, bodies, forces, time);
         if (sweepBodies(context)) boxesAreSwept = false;
         if (resting.changes() != restingChanges) pairsAreCurrent = false;

@@ -249,6 +249,8 @@ struct World::Impl {
 
     // world/gather.cpp: the bodies of a step, and who may meet.
     void noteRows();
+    bool rowsAreKept() const;
+    void predictSteady(const StepContext& context);
     void gatherPartners();
     void findRestPairs(const ContactWorld& world);
     std::uint32_t gather(const ForceField& forces, const StepContext& context);

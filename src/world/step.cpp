@@ -231,7 +231,8 @@ StepReport World::Impl::step(double dt, int substeps)
     const bool sameRows = readRows(motions, graph);
     const bool sameLinks = readContacts(contacts, sameContacts, graph, parallel);
     const bool hadJoints = std::exchange(graph.hasJoints, !jointSystem.empty());
-    if (!sameRows || !sameLinks || hadJoints || graph.hasJoints) {
+    const bool sameIslands = sameRows && sameLinks && !hadJoints && !graph.hasJoints;
+    if (!sameIslands) {
         linkTouching(jointSystem, motions, graph);
         markCrowds(contacts, context.tuning, graph, manifoldScratch.renewed, parallel);
     }
@@ -243,10 +244,10 @@ StepReport World::Impl::step(double dt, int substeps)
     span.next("solve");
     impacts.clear();
     roused.clear();
-    SolverStage stage{
-        world,         forces,      resting, asleep,  graph.islands, motions,      contacts,
-        joints,        jointSystem, boxes,   impacts, roused,        sameContacts, manifoldScratch.renewed,
-        solverScratch, profile,     parallel};
+    SolverStage stage{world,         forces,   resting,      asleep,      graph.islands,
+                      motions,       contacts, joints,       jointSystem, boxes,
+                      impacts,       roused,   sameContacts, sameIslands, manifoldScratch.renewed,
+                      solverScratch, profile,  parallel};
     const SolverCounts counts = solve(stage, context);
     for (const std::uint32_t group : roused) wakeGroup(group, false);  // their contacts are here already
     r.clamps.speed += counts.clamps.speed;

@@ -138,7 +138,8 @@ TEST(SceneSchema, KnowsEveryFieldOfEveryDefinition)
     // a new key. The number is that of the keys, which may be nested or spread otherwise. WorldDef::lanes is
     // a matter of the machine and not of the scene.
     [[maybe_unused]] const auto& [a1, a2, a3, a4, a5, a6, a7, lanes, threads, tasks, memory] = WorldDef{};
-    [[maybe_unused]] const auto& [t1, t2, t3, t4, t5, t6, t7, t8, t9, t10, t11, t12, t13, t14] = Tuning{};
+    [[maybe_unused]] const auto& [t1, t2, t3, t4, t5, t6, t7, t8, t9, t10, t11, t12, t13, t14, t15] =
+        Tuning{};
     [[maybe_unused]] const auto& [b1, b2, b3, b4, b5, b6, b7, b8, b9, b10, b11, b12, b13, b14, b15, b16, b17,
                                   b18] = BodyDef{};
     [[maybe_unused]] const auto& [s1, s2, s3, s4, s5, s6, s7] = ShapeDef{};

@@ -18,7 +18,8 @@ struct Tuning {
     real restless = real(0.005);  ///< an island is: its last pass changed a speed by more  [lengthUnit/s] > 0
     real calmRate = real(0.3);  ///< part of the speed a calm loaded body loses in a tick  [1] in [0, 1)
     real calmSpeed = real(0.1);  ///< above which nothing is calmed            [lengthUnit/s] > 0
-    real quiet = real(0.001);  ///< what goes less than this x the rest gap makes a step in a tick  [1]   in [0, 0.1]
+    real quiet =
+        real(0.01);  ///< what goes less than this x the rest gap makes a step in a tick  [1]   in [0, 0.1]
     real impactThreshold = 1;  ///< slowest impact, over what steady forces do in a tick  [1] in [0.1, 10]
     int crowd = 8;  ///< so many bodies that meet leave slow impacts to the passes, if C_R < 1 [1] in [1, 1e6]
     int impactsPerContact =
