@@ -140,8 +140,12 @@ void findCalmRows(const Islands& islands, CalmRows& found)
 
 void chooseCalmRows(CalmRows& calmRows)
 {
-    calmRows.chosenGrounded.assign(calmRows.grounded.begin(), calmRows.grounded.end());
-    calmRows.chosenFloating.assign(calmRows.floating.begin(), calmRows.floating.end());
+    const auto choose = [](const auto& from, auto& into) {
+        into.reserve(from.capacity());
+        into.assign(from.begin(), from.end());
+    };
+    choose(calmRows.grounded, calmRows.chosenGrounded);
+    choose(calmRows.floating, calmRows.chosenFloating);
 }
 
 void chooseCalmRows(const std::vector<std::uint8_t>& quiet, bool isQuiet, CalmRows& calmRows)

@@ -70,6 +70,9 @@ void ContactPasses::begin(ContactTable& contacts, const MotionTable& motions, co
     const std::size_t count = contacts.rows.size();
     islands_ = &islands;
     loose_.clear();
+    // They change places.
+    loose_.reserve(contacts.rows.capacity());
+    outLoose_.reserve(contacts.rows.capacity());
     isLoose_.resize(count);
     inLane_.resize(count);
     if (same && lanes_->fits(contacts.rows, renewed, context)) {

@@ -276,6 +276,7 @@ void startTick(ImpactStage& stage, const StepContext& context, int tick)
     scratch.tick = tick;
     scratch.strays.resize(motions.size());
     const std::vector<BodyChunk>& chunks = stage.visited.chunks(motions.size());
+    scratch.starts.reserve(chunks.capacity());
     scratch.starts.resize(chunks.size());
     stage.parallel.forEach(chunks.size(), 1, [&](const Chunk& chunk) {
         const auto [begin, end] = chunks[chunk.begin];

@@ -35,6 +35,7 @@ State stateOf(const ImpactStage& stage, std::uint32_t row, const StepContext& co
 bool findStates(const ImpactStage& stage, const StepContext& context, bool varies,
                 std::vector<std::uint8_t>& states)
 {
+    states.reserve(stage.motions.rows.capacity());
     states.resize(stage.motions.rows.size());
     bool any = false;
     for (std::uint32_t row = 0; row < states.size(); ++row) {
@@ -47,6 +48,7 @@ bool findStates(const ImpactStage& stage, const StepContext& context, bool varie
 void findCompanies(const ImpactStage& stage, std::vector<std::uint32_t>& parent)
 {
     const Table<Motion>& rows = stage.motions.rows;
+    parent.reserve(rows.capacity());
     DisjointSets sets(parent);
     sets.reset(rows.size());
     for (const PairRow& pair : stage.scratch.pairs)
@@ -60,6 +62,7 @@ void findRestless(const ImpactStage& stage, QuietScratch& scratch)
     std::vector<std::uint8_t>& states = scratch.states;
     const Table<PairRow>& pairs = stage.scratch.pairs;
     DisjointSets companies(scratch.parent);
+    scratch.restless.reserve(states.capacity());
     scratch.restless.assign(states.size(), 0);
     const auto disturb = [&](const PairRow& pair) {
         scratch.restless[companies.leader(pair.rowA)] = scratch.restless[companies.leader(pair.rowB)] = 1;
@@ -86,6 +89,7 @@ bool findQuiet(ImpactStage& stage, const StepContext& context, bool same, bool v
     findRestless(stage, scratch);
     DisjointSets companies(scratch.parent);
     bool any = false;
+    scratch.quiet.reserve(scratch.states.capacity());
     scratch.quiet.resize(scratch.states.size());
     for (std::uint32_t row = 0; row < scratch.states.size(); ++row) {
         std::uint8_t& state = scratch.states[row];

@@ -91,6 +91,8 @@ void startSweeps(ImpactStage& stage, const std::vector<std::uint8_t>* renewed)
     scratch.points.reserve(2 * room);
     scratch.swept.reserve(room);
     scratch.found.reserve(stage.boxes.size());
+    scratch.woken.reserve(stage.motions.rows.capacity());
+    scratch.wokenContacts.reserve(room);
     scratch.pairs.resize(contacts.size());
     stage.parallel.forEach(contacts.size(), kContactGrain, [&](const Chunk& chunk) {
         for (std::size_t i = chunk.begin; i < chunk.end; ++i)

@@ -88,7 +88,9 @@ const std::vector<BodyChunk>& VisitedBodies::chunks(std::size_t rows)
 
 void VisitedBodies::choose(const std::vector<std::uint8_t>& quiet, bool isQuiet)
 {
+    quiet_.reserve(quiet.capacity());
     quiet_.assign(quiet.begin(), quiet.end());
+    chunks_.reserve(quiet.capacity() / 2 + 1);
     visitsQuiet_ = isQuiet;
     stale_ = true;
 }

@@ -172,7 +172,7 @@ TEST(SceneSchema, KnowsEveryFieldOfEveryDefinition)
         return defs[name]["properties"].size() - 1;
     };  // less $comment
     EXPECT_EQ(count("world"), 7u);
-    EXPECT_EQ(count("tuning"), 14u);
+    EXPECT_EQ(count("tuning"), 15u);
     EXPECT_EQ(count("body"), 18u - 3 + 1 + 3);  // three locks are one key; shapes, forces and laws
     EXPECT_EQ(count("shape"), 7u - 2 + 6 + 6);  // a material's keys and six kinds instead of two fields
     EXPECT_EQ(count("filter"), 3u);
