@@ -152,9 +152,8 @@ bool ForceField::variesFor(const Motion& motion, const BodyTable& bodies) const
 {
     if (gravitationConstant > 0 || !bodies.extra(bodies.rows[motion.body]).lasting.empty()) return true;
     const BodyId id = bodies.ids.id(motion.body);
-    return std::any_of(laws.begin(), laws.end(), [id](const PlacedLaw& placed) {
-        return placed.body.isNull() || placed.body == id;
-    });
+    return std::any_of(laws.begin(), laws.end(),
+                       [id](const PlacedLaw& placed) { return placed.body.isNull() || placed.body == id; });
 }
 
 std::uint32_t accelerateOne(Motion& m, const BodyTable& bodies, const ForceField& field, double time)

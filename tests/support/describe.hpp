@@ -67,8 +67,8 @@ inline void write(std::ostream& out, const WorldDef& def)
         << " mixing " << int(def.frictionMixing) << ' ' << int(def.restitutionMixing) << " tuning "
         << t.restGap << ' ' << t.touchingFactor << ' ' << t.pushRate << ' ' << t.pushSpeed << ' '
         << t.pushSlack << ' ' << t.extraPasses << ' ' << t.restless << ' ' << t.calmRate << ' ' << t.calmSpeed
-        << ' ' << t.quiet << ' ' << t.impactThreshold << ' ' << t.crowd << ' ' << t.impactsPerContact << ' ' << t.sleepTime
-        << ' ' << t.sleepSpeed << " sleep " << def.allowSleep << '\n';
+        << ' ' << t.quiet << ' ' << t.impactThreshold << ' ' << t.crowd << ' ' << t.impactsPerContact << ' '
+        << t.sleepTime << ' ' << t.sleepSpeed << " sleep " << def.allowSleep << '\n';
 }
 
 /// All numbers of a kind are in the state's hash; here is what is not, and which kind it is.
