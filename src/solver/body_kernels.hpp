@@ -4,7 +4,6 @@
 #include "math/lane.hpp"
 #include "model/motion.hpp"
 #include "model/step_context.hpp"
-#include "solver/calm.hpp"
 #include "solver/tick_rows.hpp"
 #include "tasks/parallel.hpp"
 
@@ -45,6 +44,11 @@ inline TickTime timeOf(int tick, const StepContext& context)
 struct StrayList {
     std::uint32_t* rows;
     std::size_t count;
+};
+
+/// A body, and the one it comes to rest against, by their rows.
+struct CalmPair {
+    std::uint32_t row, ground;
 };
 
 /// What is done with all bodies in a tick, several at once. Compiled for each width, as ContactKernels are,

@@ -4,8 +4,6 @@
 
 #include "solver/calm.hpp"
 
-#include "solver/body_kernels.hpp"
-
 namespace tamias2d::inline TAMIAS_PRECISION {
 namespace {
 

@@ -4,6 +4,7 @@
 #include "islands/links.hpp"
 #include "model/motion.hpp"
 #include "model/step_context.hpp"
+#include "solver/body_kernels.hpp"
 #include "solver/tick_rows.hpp"
 #include "tasks/parallel.hpp"
 
@@ -32,11 +33,6 @@ struct FreeIsland {
     double lostSpin = 0;         // angular momentum about the center
 };
 
-/// A body, and the one it comes to rest against, by their rows.
-struct CalmPair {
-    std::uint32_t row, ground;
-};
-
 /// A body, by its row, and its island among those that stand on nothing.
 struct FloatingRow {
     std::uint32_t row, island;
@@ -57,8 +53,6 @@ void findCalmRows(const Islands& islands, CalmRows& found);
 /// Chooses all of them, or those whose bodies are `quiet`, by row, or all others.
 void chooseCalmRows(CalmRows& calmRows);
 void chooseCalmRows(const std::vector<std::uint8_t>& quiet, bool isQuiet, CalmRows& calmRows);
-
-struct BodyKernels;
 
 /// Slows loaded bodies that are already slow and not speeding up: against their grounds, or, where their
 /// island stands on nothing, against the island's own motion, whose momentum is kept. docs/theory/calm.md.
