@@ -19,16 +19,17 @@ State stateOf(const ImpactStage& stage, std::uint32_t row, const StepContext& co
 {
     const Motion& m = stage.motions.rows[row];
     if (!m.moves()) return m.velocity == Vec2{} && m.spin == 0 ? StillGround : Moves;
-    if (stage.visited.isLone(row) || stage.system.isTied(row)) return Moves;
-    if (varies && stage.field.variesFor(m, stage.world.bodies)) return Moves;
     // How far any point of it may come: what contacts carry balances what else acts on it, but for this.
     const Vec2 change = m.steady + context.h * m.acceleration;
     const real spinChange = m.steadySpin + context.h * m.spinRate;
     const real speed =
         fastestPoint(m.velocity, m.spin, change, spinChange, m.extent, static_cast<real>(context.ticks));
-    const real limit = context.tuning.quiet * context.tuning.restGap *
-                       stage.world.shapes.widthOf(stage.world.bodies.rows[m.body]);
-    return static_cast<real>(context.dt) * speed <= limit ? Slow : Moves;
+    const real way = static_cast<real>(context.dt) * speed;
+    const real part = context.tuning.quiet * context.tuning.restGap;
+    if (!(way <= 2 * m.extent * part)) return Moves;  // mostly: no shape of it is wider
+    if (stage.visited.isLone(row) || stage.system.isTied(row)) return Moves;
+    if (varies && stage.field.variesFor(m, stage.world.bodies)) return Moves;
+    return way <= part * stage.world.shapes.widthOf(stage.world.bodies.rows[m.body]) ? Slow : Moves;
 }
 
 // Returns whether any body that may move is slow.
