@@ -248,6 +248,19 @@ void addSteady(const Contact& contact, const Motion& a, const Motion& b, BodyMot
     steadyB.spin += b.invInertia * contact.rollingImpulse;
 }
 
+void addToSums(Contact& contact, int ticks)
+{
+    const real times = static_cast<real>(ticks);
+    const Vec2 n = contact.normal, t = perpendicular(n);
+    for (int i = 0; i < contact.count; ++i) {
+        ContactPointRow& point = contact.points[i];
+        const real normal = times * point.normalImpulse, tangent = times * point.tangentImpulse;
+        point.stepNormal += normal;
+        point.stepTangent += tangent;
+        contact.stepImpulse += normal * n + tangent * t;
+    }
+}
+
 ContactLoad loadOf(const Contact& contact)
 {
     const Vec2 n = contact.normal, t = perpendicular(n);

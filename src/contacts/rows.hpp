@@ -89,6 +89,9 @@ void addSteady(const Contact& contact, const Motion& a, const Motion& b, BodyMot
                BodyMotion<real>& steadyB);
 
 /// Holds the sum of them to what forces may do in a tick. Loads of a heavy body would throw it out of the
+/// Adds what it does in a tick to its sums of the step, so many times.
+void addToSums(Contact& contact, int ticks);
+
 /// What it carries, by the arms that it has.
 ContactLoad loadOf(const Contact& contact);
 /// Adds the velocity changes by that, in a tick, to what the bodies are expected to have.

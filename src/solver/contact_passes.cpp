@@ -14,28 +14,6 @@ void prepareLoose(Contact& c, const MotionTable& motions)
     for (int i = 0; i < c.count; ++i) c.points[i].wasLoaded = c.points[i].normalImpulse > 0;
 }
 
-// What it does in so many ticks.
-void addUp(Contact& c, int ticks)
-{
-    const real times = static_cast<real>(ticks);
-    for (int k = 0; k < c.count; ++k) {
-        ContactPointRow& point = c.points[k];
-        const real normal = times * point.normalImpulse, tangent = times * point.tangentImpulse;
-        point.stepNormal += normal;
-        point.stepTangent += tangent;
-        c.stepImpulse += normal * c.normal + tangent * perpendicular(c.normal);
-    }
-}
-
-void scale(Contact& c, real factor)
-{
-    for (ContactPointRow& point : c.points) {
-        point.normalImpulse *= factor;
-        point.tangentImpulse *= factor;
-    }
-    c.rollingImpulse *= factor;
-}
-
 bool isNewlyLoaded(const Contact& c)
 {
     for (int k = 0; k < c.count; ++k)
@@ -108,47 +86,6 @@ void ContactPasses::end(ContactTable& contacts)
 {
     lanes_->comeIn();
     lanes_->storeAll(contacts.rows);
-}
-
-void ContactPasses::beginWhole(ContactTable& contacts, const std::vector<std::uint8_t>& quiet, int ticks)
-{
-    lanes_->beginWhole(quiet, static_cast<real>(ticks));
-    outLoose_.clear();
-    std::erase_if(loose_, [&](std::uint32_t i) {
-        Contact& c = contacts.rows[i];
-        const bool takesPart = (quiet[c.rowA] & quiet[c.rowB]) != 0;
-        if (takesPart)
-            scale(c, static_cast<real>(ticks));
-        else
-            outLoose_.push_back(i);
-        return !takesPart;
-    });
-}
-
-void ContactPasses::endWhole(ContactTable& contacts, int ticks)
-{
-    lanes_->endWhole(static_cast<real>(ticks));
-    for (const std::uint32_t i : loose_) {
-        scale(contacts.rows[i], 1 / static_cast<real>(ticks));
-        isLoose_[i] = kSitsOut;
-    }
-    loose_.swap(outLoose_);
-}
-
-bool ContactPasses::comeIn(std::uint32_t contact, ContactTable& contacts, int ticks)
-{
-    Contact& c = contacts.rows[contact];
-    if (isInLane(contact)) {
-        if (!lanes_->sitsOut(contact)) return false;
-        lanes_->comeIn(contact);
-        leaveLane(contact, c);
-    } else {
-        if (contact >= isLoose_.size() || isLoose_[contact] != kSitsOut) return false;
-        isLoose_[contact] = 0;
-    }
-    addUp(c, -ticks);
-    addLoose(contact);
-    return true;
 }
 
 void ContactPasses::addLoose(std::uint32_t contact)
@@ -345,7 +282,7 @@ void ContactPasses::finish(ContactTable& contacts, const MotionTable& motions, T
             if (!piles_.pass(first, pass == 0, contacts, *world, *joints, rows.velocities, unrest_)) break;
         sortLoose();
     }
-    for (const std::uint32_t i : loose_) addUp(contacts.rows[i], 1);
+    for (const std::uint32_t i : loose_) addToSums(contacts.rows[i], 1);
     if (world != nullptr) piles_.forgetBlows(contacts, motions, world->context);
 }
 

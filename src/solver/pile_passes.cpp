@@ -142,9 +142,10 @@ void StiffPiles::forgetBlows(ContactTable& contacts, const MotionTable& motions,
             const real inverse = maximum(a.greatestInvMass(), b.greatestInvMass());
             const real own = maximum(context.h * maximum(length(a.acceleration), length(b.acceleration)),
                                      context.tuning.restless * context.lengthUnit);
-            for (int i = 0; i < c.count && inverse > 0; ++i) {
+            for (int i = 0; i < c.count; ++i) {
                 ContactPointRow& point = c.points[i];
-                const real most = 2 * (pile.carried[k][static_cast<std::size_t>(i)] + own / inverse);
+                const real carried = pile.carried[k][static_cast<std::size_t>(i)];
+                const real most = inverse > 0 ? 2 * (carried + own / inverse) : kUnlimited;
                 if (point.normalImpulse > most) {
                     point.tangentImpulse *= most / point.normalImpulse;
                     point.normalImpulse = most;

@@ -8,7 +8,7 @@
 #include "solver/integrate.hpp"
 #include "solver/joint_passes.hpp"
 #include "solver/pass_hits.hpp"
-#include "solver/quiet_bodies.hpp"
+#include "solver/quiet_tick.hpp"
 #include "solver/tick_sweeps.hpp"
 
 #include <atomic>
@@ -187,46 +187,6 @@ void calm(SolverStage& stage, const StepContext& context)
     calm(stage.motions.rows, scratch.rows, scratch.calmRows, scratch.bodies(), context, stage.parallel);
 }
 
-// Which bodies what follows is for: quiet ones, or all others.
-void choose(SolverStage& stage, bool isQuiet)
-{
-    SolverScratch& scratch = stage.scratch;
-    scratch.visited.choose(scratch.quiet.quiet, isQuiet);
-    chooseCalmRows(scratch.visited.quiet(), isQuiet, scratch.calmRows);
-}
-
-// A long tick has fewer passes than many short ones: with one alone, small pyramids quiver twice as often.
-constexpr int kQuietPasses = 3;
-
-// The step in one tick, for those that are quiet: no impact is near. Then the ticks are for all others.
-void tickQuiet(SolverStage& stage, const StepContext& context, ClampCounts& clamps)
-{
-    SolverScratch& scratch = stage.scratch;
-    Table<Motion>& rows = stage.motions.rows;
-    TickRows& lanes = scratch.rows;
-    const StepContext whole = wholeTick(context);
-    choose(stage, true);
-    scratch.passes.beginWhole(stage.contacts, scratch.quiet.quiet, context.ticks);
-    for (std::uint32_t row = 0; row < rows.size(); ++row)
-        if (rows[row].isDamped() && scratch.visited.isQuiet(row)) startDamping(rows[row], whole.h);
-    scratch.passes.prepare(stage.contacts, stage.motions, lanes, whole);
-    scratch.visited.forEach(stage.parallel, rows, lanes, [&](const BodyRows& run) {
-        std::uint32_t none[kBodyGrain];  // nobody strays
-        StrayList strays{none, 0};
-        scratch.bodies().startTick(run, whole, timeOf(0, whole), strays);
-        scratch.bodies().kick(run, whole, false);
-    });
-    for (int pass = 0; pass < kQuietPasses; ++pass)
-        scratch.passes.solve(stage.contacts, stage.motions, lanes, whole);
-    scratch.passes.finish(stage.contacts, stage.motions, lanes);
-    lanes.pushes.assign(rows.size(), {});
-    scratch.passes.pushApart(stage.contacts, stage.motions, lanes, whole, clamps);
-    clamps.speed += driftAll(stage, whole, true, true);
-    calm(stage, whole);
-    scratch.passes.endWhole(stage.contacts, context.ticks);
-    choose(stage, false);
-}
-
 }  // namespace
 
 void SolverScratch::suit(std::size_t count)
@@ -274,6 +234,7 @@ SolverCounts solve(SolverStage& stage, const StepContext& context)
         each->resize(rows.size());
     lanes.ways.assign(rows.size(), {});
     lanes.kicks.assign(rows.size(), {});
+    scratch.impacts.kicked = false;
     lanes.changes.resize(rows.size());
     bool varies = stage.field.varies(stage.motions, stage.world.bodies);
     scratch.visited.begin(rows, stage.contacts, context, varies || !stage.system.empty());
