@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
-#include "solver/quiet_tick.hpp"
+// The tick of those that make a step in one: docs/theory/calm.md, section 6.
 
 #include "solver/integrate.hpp"
+#include "solver/solve.hpp"
 
 #include <atomic>
 

@@ -8,7 +8,6 @@
 #include "solver/integrate.hpp"
 #include "solver/joint_passes.hpp"
 #include "solver/pass_hits.hpp"
-#include "solver/quiet_tick.hpp"
 #include "solver/tick_sweeps.hpp"
 
 #include <atomic>

@@ -80,6 +80,10 @@ struct SolverCounts {
     double impactTime = 0, solveTime = 0;   ///< [ms]
 };
 
+/// The step in one tick, for those that have been found to be quiet: no impact is near. After it the ticks
+/// are for all others. In quiet_tick.cpp; docs/theory/calm.md, section 6.
+void tickQuiet(SolverStage& stage, const StepContext& context, ClampCounts& clamps);
+
 /// Moves all rows through the step: the only loop over ticks. docs/theory/contacts.md, section 5.
 SolverCounts solve(SolverStage& stage, const StepContext& context);
 
