@@ -88,7 +88,6 @@ void repayPush(Contact& contact, const Motion& a, const Motion& b, Vec2& velocit
 void addSteady(const Contact& contact, const Motion& a, const Motion& b, BodyMotion<real>& steadyA,
                BodyMotion<real>& steadyB);
 
-/// Holds the sum of them to what forces may do in a tick. Loads of a heavy body would throw it out of the
 /// Adds what it does in a tick to its sums of the step, so many times.
 void addToSums(Contact& contact, int ticks);
 
@@ -97,7 +96,8 @@ ContactLoad loadOf(const Contact& contact);
 /// Adds the velocity changes by that, in a tick, to what the bodies are expected to have.
 void addLoad(const ContactLoad& load, Motion& a, Motion& b);
 
-/// world, and infinities into its neighbors, when its mass has just been set to a tiny one.
+/// Holds the sum of these changes to what forces may do in a tick. Loads of a heavy body would throw it out
+/// of the world, and infinities into its neighbors, when its mass has just been set to a tiny one.
 void limitSteady(Motion& m, const StepContext& context);
 
 }  // namespace tamias2d::inline TAMIAS_PRECISION

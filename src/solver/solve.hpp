@@ -74,7 +74,7 @@ struct SolverCounts {
     ClampCounts clamps;
     std::uint32_t repaired = 0;
     std::uint32_t lawFaults = 0;
-    std::uint32_t quiet = 0;           ///< bodies that sat out all ticks but the first
+    std::uint32_t quiet = 0;           ///< bodies that made the step in one tick
     std::uint32_t piles = 0;           ///< solved at once
     std::uint32_t pileFallbacks = 0;   ///< visits to such a pile that found no solution
     double impactTime = 0, solveTime = 0;   ///< [ms]
