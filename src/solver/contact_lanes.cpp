@@ -3,6 +3,7 @@
 
 #include "solver/contact_lanes.hpp"
 
+#include "contacts/rows.hpp"
 #include "math/with_lanes.hpp"
 #include "solver/contact_kernels.hpp"
 #include "solver/flight.hpp"
@@ -408,15 +409,14 @@ void ContactLanesOf<W>::store(std::size_t slot, Contact& c) const
     const Source& s = sources_[slot / W];
     c.normal = laneOf(b.row.normal, lane);
     c.stepImpulse = laneOf(s.stepImpulse, lane);
-    const bool add = solved_ && s.counted.v[lane] != 0;
     for (int k = 0; k < c.count; ++k) {
         ContactPointRow& p = c.points[k];
         p.normalImpulse = b.row.points[k].normalImpulse.v[lane];
         p.tangentImpulse = b.row.points[k].tangentImpulse.v[lane];
-        p.stepNormal = s.stepNormal[k].v[lane] + (add ? p.normalImpulse : real(0));
-        p.stepTangent = s.stepTangent[k].v[lane] + (add ? p.tangentImpulse : real(0));
-        if (add) c.stepImpulse += p.normalImpulse * c.normal + p.tangentImpulse * perpendicular(c.normal);
+        p.stepNormal = s.stepNormal[k].v[lane];
+        p.stepTangent = s.stepTangent[k].v[lane];
     }
+    if (solved_ && s.counted.v[lane] != 0) addToSums(c, 1);
 }
 
 // It moves nothing any more.

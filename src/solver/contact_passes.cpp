@@ -84,7 +84,8 @@ void ContactPasses::begin(ContactTable& contacts, const MotionTable& motions, co
 
 void ContactPasses::end(ContactTable& contacts)
 {
-    lanes_->comeIn();
+    if (anySitsOut_) lanes_->comeIn();
+    anySitsOut_ = false;
     lanes_->storeAll(contacts.rows);
 }
 

@@ -110,6 +110,7 @@ private:
     const Islands* islands_ = nullptr;  // of the step
     std::vector<std::uint32_t> loose_;  // contacts out of their lanes that have points, in solving order
     std::vector<std::uint8_t> isLoose_;  // by contact: is it in that list, or would be, but sits out?
+    bool anySitsOut_ = false;
     std::vector<std::uint32_t> outLoose_;  // those that sit out a tick that stands for many
     std::vector<std::uint8_t> inLane_;  // by contact: is it in its lane?
     std::vector<std::uint32_t> placeOf_;  // by contact: in the order of solving

@@ -20,6 +20,7 @@ void scale(Contact& c, real factor)
 
 void ContactPasses::beginWhole(ContactTable& contacts, const std::vector<std::uint8_t>& quiet, int ticks)
 {
+    anySitsOut_ = true;
     lanes_->beginWhole(quiet, static_cast<real>(ticks));
     outLoose_.clear();
     std::erase_if(loose_, [&](std::uint32_t i) {
