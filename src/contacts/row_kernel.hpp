@@ -104,18 +104,25 @@ TAMIAS_INLINE T prepareCenters(ContactRow<T>& row)
     return sum.x * n.x * n.x + sum.y * n.y * n.y;
 }
 
-/// The Jacobian and the masses of one point. `linear` is what prepareCenters gave; `gap` is beyond the rest
+/// The Jacobian of one point.
+template <class T>
+TAMIAS_INLINE void setArms(PointRow<T>& p, BasicVec2<T> n, BasicVec2<T> armA, BasicVec2<T> armB)
+{
+    const BasicVec2<T> t = perpendicular(n);
+    p.turnA = cross(armA, n);
+    p.turnB = cross(armB, n);
+    p.slideA = cross(armA, t);
+    p.slideB = cross(armB, t);
+}
+
+/// The same, and its masses. `linear` is what prepareCenters gave; `gap` is beyond the rest
 /// gap [m]; `mask` says where there is a point at all. Where nothing gives way no load shows.
 template <class T, class Mask>
 TAMIAS_INLINE void preparePoint(ContactRow<T>& row, PointRow<T>& p, T linear, BasicVec2<T> armA,
                                 BasicVec2<T> armB, T gap, T invH, Mask present)
 {
     const T zero(real(0)), one(real(1));
-    const BasicVec2<T> n = row.normal, t = perpendicular(n);
-    p.turnA = cross(armA, n);
-    p.turnB = cross(armB, n);
-    p.slideA = cross(armA, t);
-    p.slideB = cross(armB, t);
+    setArms(p, row.normal, armA, armB);
     p.allowed = select(gap > zero, gap * invH, zero);
     const T k = linear + row.invInertiaA * p.turnA * p.turnA + row.invInertiaB * p.turnB * p.turnB;
     const T kt = row.slipMass + row.invInertiaA * p.slideA * p.slideA + row.invInertiaB * p.slideB * p.slideB;
@@ -151,24 +158,45 @@ TAMIAS_INLINE void applyAtCenters(const ContactRow<T>& row, T normal, T tangent,
     b += {row.invMassB.x * impulse.x, row.invMassB.y * impulse.y};
 }
 
-/// Adds the velocity changes of the impulses the row carries.
+/// What a row carries, on B; A bears the opposite.
 template <class T>
-TAMIAS_INLINE void addCarried(const ContactRow<T>& row, int count, BodyMotion<T>& a, BodyMotion<T>& b)
+struct Carried {
+    BasicVec2<T> impulse;   ///< [N*s]
+    T momentA, momentB;     ///< about the centers   [N*m*s]
+};
+template <class T>
+TAMIAS_INLINE Carried<T> carriedBy(const ContactRow<T>& row, int count)
 {
     const PointRow<T>& p = row.points[0];
     T normal = p.normalImpulse, tangent = p.tangentImpulse;
-    T turnA = p.turnA * p.normalImpulse + p.slideA * p.tangentImpulse;
-    T turnB = p.turnB * p.normalImpulse + p.slideB * p.tangentImpulse;
+    T momentA = p.turnA * p.normalImpulse + p.slideA * p.tangentImpulse;
+    T momentB = p.turnB * p.normalImpulse + p.slideB * p.tangentImpulse;
     if (count == 2) {
         const PointRow<T>& q = row.points[1];
         normal += q.normalImpulse;
         tangent += q.tangentImpulse;
-        turnA += q.turnA * q.normalImpulse + q.slideA * q.tangentImpulse;
-        turnB += q.turnB * q.normalImpulse + q.slideB * q.tangentImpulse;
+        momentA += q.turnA * q.normalImpulse + q.slideA * q.tangentImpulse;
+        momentB += q.turnB * q.normalImpulse + q.slideB * q.tangentImpulse;
     }
-    applyAtCenters(row, normal, tangent, a.velocity, b.velocity);
-    a.spin -= row.invInertiaA * turnA;
-    b.spin += row.invInertiaB * turnB;
+    return {normal * row.normal + tangent * perpendicular(row.normal), momentA, momentB};
+}
+
+/// Adds the velocity changes of the impulses the row carries.
+template <class T>
+TAMIAS_INLINE void addCarried(const ContactRow<T>& row, int count, BodyMotion<T>& a, BodyMotion<T>& b)
+{
+    const Carried<T> carried = carriedBy(row, count);
+    a.velocity -= {row.invMassA.x * carried.impulse.x, row.invMassA.y * carried.impulse.y};
+    b.velocity += {row.invMassB.x * carried.impulse.x, row.invMassB.y * carried.impulse.y};
+    a.spin -= row.invInertiaA * carried.momentA;
+    b.spin += row.invInertiaB * carried.momentB;
+}
+
+/// The arm that setArms was given, but for rounding.   [m]
+template <class T>
+TAMIAS_INLINE BasicVec2<T> armOf(BasicVec2<T> n, T turn, T slide)
+{
+    return {slide * n.x + turn * n.y, slide * n.y - turn * n.x};
 }
 
 /// How fast a point closes less than it may: negative where it closes too fast.   [m/s]

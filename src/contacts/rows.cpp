@@ -235,17 +235,11 @@ real solveContact(Contact& contact, Motion& a, Motion& b, const StepContext& con
 void addSteady(const Contact& contact, const Motion& a, const Motion& b, BodyMotion<real>& steadyA,
                BodyMotion<real>& steadyB)
 {
-    const Vec2 n = contact.normal, t = perpendicular(n);
-    for (int i = 0; i < contact.count; ++i) {
-        const ContactPointRow& point = contact.points[i];
-        const Vec2 impulse = point.normalImpulse * n + point.tangentImpulse * t;
-        steadyA.velocity -= {a.invMass.x * impulse.x, a.invMass.y * impulse.y};
-        steadyA.spin -= a.invInertia * cross(point.armA, impulse);
-        steadyB.velocity += {b.invMass.x * impulse.x, b.invMass.y * impulse.y};
-        steadyB.spin += b.invInertia * cross(point.armB, impulse);
-    }
-    steadyA.spin -= a.invInertia * contact.rollingImpulse;
-    steadyB.spin += b.invInertia * contact.rollingImpulse;
+    const ContactLoad load = loadOf(contact);
+    steadyA.velocity -= {a.invMass.x * load.impulse.x, a.invMass.y * load.impulse.y};
+    steadyA.spin -= a.invInertia * load.momentA;
+    steadyB.velocity += {b.invMass.x * load.impulse.x, b.invMass.y * load.impulse.y};
+    steadyB.spin += b.invInertia * load.momentB;
 }
 
 void addToSums(Contact& contact, int ticks)
@@ -263,18 +257,18 @@ void addToSums(Contact& contact, int ticks)
 
 ContactLoad loadOf(const Contact& contact)
 {
-    const Vec2 n = contact.normal, t = perpendicular(n);
-    ContactLoad load;
-    for (int i = 0; i < contact.count; ++i) {
-        const ContactPointRow& point = contact.points[i];
-        const Vec2 impulse = point.normalImpulse * n + point.tangentImpulse * t;
-        load.impulse += impulse;
-        load.momentA += cross(point.armA, impulse);
-        load.momentB += cross(point.armB, impulse);
+    ContactRow<real> row{};
+    row.normal = contact.normal;
+    for (int k = 0; k < contact.count; ++k) {
+        const ContactPointRow& point = contact.points[k];
+        PointRow<real>& p = row.points[k];
+        setArms(p, row.normal, point.armA, point.armB);
+        p.normalImpulse = point.normalImpulse;
+        p.tangentImpulse = point.tangentImpulse;
     }
-    load.momentA += contact.rollingImpulse;
-    load.momentB += contact.rollingImpulse;
-    return load;
+    const Carried<real> carried = carriedBy(row, contact.count);
+    return {carried.impulse, carried.momentA + contact.rollingImpulse,
+            carried.momentB + contact.rollingImpulse};
 }
 
 void addLoad(const ContactLoad& load, Motion& a, Motion& b)

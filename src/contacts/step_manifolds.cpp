@@ -68,30 +68,37 @@ bool isTouching(const Contact& c, const Tuning& tuning)
     return false;
 }
 
-ContactFacts factsOf(const Contact& c, const Tuning& tuning)
+Nearness nearnessOf(const Contact& c, const Tuning& tuning)
 {
     bool linked = isTouching(c, tuning);
     for (int i = 0; i < c.count; ++i) linked = linked || c.points[i].normalImpulse > 0;
-    const Nearness nearness = linked ? Nearness::Linked : c.count > 0 ? Nearness::Near : Nearness::Apart;
-    return {c.rowA, c.rowB, c.versionA, c.versionB, c.between, kManifoldRoom * c.restGap, nearness, c.swept};
+    return linked ? Nearness::Linked : c.count > 0 ? Nearness::Near : Nearness::Apart;
 }
 
-ManifoldCounts updateForStep(ContactTable& table, bool same, const ShapeTable& shapes,
-                             const MotionTable& motions, const StepContext& context, ExpectedPaths& paths,
-                             ManifoldScratch& scratch, Parallel& parallel)
+ContactFacts factsOf(const Contact& c)
 {
-    Table<Contact>& contacts = table.rows;
+    return {c.rowA, c.rowB, c.versionA, c.versionB, c.between, kManifoldRoom * c.restGap, c.swept};
+}
+
+void findRenewed(ContactTable& table, bool same, const MotionTable& motions, const StepContext& context,
+                 ManifoldScratch& scratch, Parallel& parallel)
+{
+    const Table<Contact>& contacts = table.rows;
     Table<ContactFacts>& facts = table.facts;
     facts.reserve(contacts.capacity());
     facts.resize(contacts.size());
-    const std::size_t chunks = Parallel::chunksOf(contacts.size(), kPairBatch);
-    scratch.counts.assign(chunks, {});
+    table.nearness.reserve(contacts.capacity());
+    table.nearness.resize(contacts.size());
+    scratch.counts.assign(Parallel::chunksOf(contacts.size(), kPairBatch), {});
     scratch.renewed.reserve(contacts.capacity());
     scratch.renewed.resize(contacts.size());
     scratch.needed.assign(motions.rows.size(), 0);
     parallel.forEach(contacts.size(), kPairBatch, [&](const Chunk& chunk) {
         for (std::size_t k = chunk.begin; k < chunk.end; ++k) {
-            if (!same) facts[k] = factsOf(contacts[k], context.tuning);
+            if (!same) {
+                facts[k] = factsOf(contacts[k]);
+                table.nearness[k] = nearnessOf(contacts[k], context.tuning);
+            }
             const ContactFacts& of = facts[k];
             scratch.renewed[k] = keepsManifold(of, motions) ? 0 : 1;
             if (scratch.renewed[k] == 0) {
@@ -102,6 +109,13 @@ ManifoldCounts updateForStep(ContactTable& table, bool same, const ShapeTable& s
                 std::atomic_ref(scratch.needed[row]).store(1, std::memory_order_relaxed);
         }
     });
+}
+
+ManifoldCounts renewManifolds(ContactTable& table, const ShapeTable& shapes, const MotionTable& motions,
+                              const StepContext& context, ExpectedPaths& paths, ManifoldScratch& scratch,
+                              Parallel& parallel)
+{
+    Table<Contact>& contacts = table.rows;
     parallel.forEach(motions.rows.size(), kPairBatch, [&](const Chunk& chunk) {
         for (std::size_t row = chunk.begin; row < chunk.end; ++row)
             if (scratch.needed[row] != 0 && !paths.isReckoned(row))
@@ -117,7 +131,10 @@ ManifoldCounts updateForStep(ContactTable& table, bool same, const ShapeTable& s
             if (scratch.renewed[k] != 0) batch[count++] = &contacts[k];
         updateBatch({batch, count}, shapes, motions, context, paths, counts);
         for (std::size_t k = chunk.begin; k < chunk.end; ++k)
-            if (scratch.renewed[k] != 0) facts[k] = factsOf(contacts[k], context.tuning);
+            if (scratch.renewed[k] != 0) {
+                table.facts[k] = factsOf(contacts[k]);
+                table.nearness[k] = nearnessOf(contacts[k], context.tuning);
+            }
     });
 
     ManifoldCounts sum;

@@ -30,18 +30,23 @@ struct ManifoldScratch {
     std::vector<std::uint8_t> renewed;  // by contact: has it another manifold than in the step before?
 };
 
-/// The manifolds of all contacts for the whole step, from 0 to dt, which `paths` must be for, placed where
-/// the bodies are. A contact keeps the one it has while its bodies hardly turn, nor move against each other.
-/// Pairs that may still meet in another way are flagged `swept`: they are looked at again in every tick.
-/// The facts of contacts are those of the end of the last step if `same`, and are found anew if not.
-ManifoldCounts updateForStep(ContactTable& contacts, bool same, const ShapeTable& shapes,
-                             const MotionTable& motions, const StepContext& context, ExpectedPaths& paths,
-                             ManifoldScratch& scratch, Parallel& parallel);
+/// Which contacts have no manifold for the step, in scratch.renewed: a contact keeps the one it has while its
+/// bodies hardly turn, nor move against each other. The facts of contacts are those of the end of the last
+/// step if `same`, and are found anew if not.
+void findRenewed(ContactTable& contacts, bool same, const MotionTable& motions, const StepContext& context,
+                 ManifoldScratch& scratch, Parallel& parallel);
+
+/// Then: their manifolds for the whole step, from 0 to dt, which `paths` must be for, placed where the bodies
+/// are. Pairs that may still meet in another way are flagged `swept`: they are looked at again in every tick.
+ManifoldCounts renewManifolds(ContactTable& contacts, const ShapeTable& shapes, const MotionTable& motions,
+                              const StepContext& context, ExpectedPaths& paths, ManifoldScratch& scratch,
+                              Parallel& parallel);
 
 /// Does some point of the contact count as touching, with the gaps that were found last?
 bool isTouching(const Contact& contact, const Tuning& tuning);
+Nearness nearnessOf(const Contact& contact, const Tuning& tuning);
 
 /// What is to be known of a contact beside all that it holds.
-ContactFacts factsOf(const Contact& contact, const Tuning& tuning);
+ContactFacts factsOf(const Contact& contact);
 
 }  // namespace tamias2d::inline TAMIAS_PRECISION

@@ -72,21 +72,22 @@ struct ContactFacts {
     std::uint32_t versionA, versionB;
     DVec2 between;
     real room;  // how far its bodies may move against each other before its manifold is another   [m]
-    Nearness nearness;
     bool swept;
 };
 
-/// What a contact carries in a tick, on B; A bears the opposite.
-struct ContactLoad {
+/// What a contact carries in a tick, on B; A bears the opposite. Four numbers, as lanes write them.
+struct alignas(4 * sizeof(real)) ContactLoad {
     Vec2 impulse;               // [N*s]
     real momentA = 0, momentB = 0;   // about the centers   [N*m*s]
 };
 
-/// All contacts, sorted by (shapeA, shapeB); those found in mid-step stand at the end until the next.
+/// All contacts, sorted by (shapeA, shapeB); those found in mid-step stand at the end until the next. What
+/// the lanes of the solver hold from step to step may be newer than the rows: ContactPasses::tell.
 struct ContactTable {
     Table<Contact> rows;
     Table<ContactFacts> facts;  // of the rows, one by one, from the manifolds of a step to the next
-    Table<ContactLoad> loads;   // likewise, from the end of a step to the next
+    std::vector<Nearness> nearness;  // likewise
+    Table<ContactLoad> loads;  // of the first rows, from the end of a step to the next; none if these change
     std::vector<std::uint32_t> order;  // in which they are solved: by color, then by row
     std::vector<std::uint32_t> colorEnds;  // where each color ends in it; the last one is solved in order
 };

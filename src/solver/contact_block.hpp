@@ -31,6 +31,7 @@ struct ContactSource {
     std::uint32_t contact[W] = {};
     std::uint32_t elastic = 0;         // lanes that may bounce
     std::uint32_t atImpact = 0;        // lanes whose manifold is that of a moment of impact
+    std::uint32_t touching = 0;        // lanes that touched at the end of the last step
     BasicVec2<Wide> start;             // from A to B at the start of the step   [m]
     Wide restGap, radiusA, radiusB;
     BasicVec2<Wide> localA[2], localB[2];

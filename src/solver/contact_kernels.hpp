@@ -9,6 +9,18 @@
 
 namespace tamias2d::inline TAMIAS_PRECISION {
 
+/// Where the end of a step is told, by contact.
+struct ContactEnds {
+    Nearness* nearness;
+    ContactLoad* loads;
+};
+/// What some contacts have come to at the end of a step.
+struct ContactEndCounts {
+    std::uint32_t touching = 0;
+    std::size_t changed = 0;   // touch and did not, or the reverse
+    real deepest = 0;          // overlap   [m]
+};
+
 /// What is done with runs of blocks. Compiled for each width with the instructions that have it: all that
 /// these functions use is inline and depends on W, so that no code for one instruction set can stand in for
 /// that of another. They therefore call nothing of the standard library that is not inline too.
@@ -44,6 +56,12 @@ struct ContactKernels {
     static void endWhole(Block* blocks, Source* sources, std::size_t count, real ticks);
     static void repay(const Block* blocks, Source* sources, std::size_t count, TickRows& rows,
                       const StepContext& context);
+    /// The end of a step: arms, gaps and masses at the poses of `rows`, all that was done added to the sums.
+    /// Lists the contacts that touch and did not before, or the reverse, in `changed`, which has room for
+    /// all.
+    static ContactEndCounts conclude(Block* blocks, Source* sources, std::size_t count, const TickRows& rows,
+                                     const StepContext& context, const ContactEnds& ends,
+                                     std::uint32_t* changed);
 };
 
 extern template struct ContactKernels<1>;

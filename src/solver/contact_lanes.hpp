@@ -5,6 +5,7 @@
 #include "model/contacts.hpp"
 #include "model/motion.hpp"
 #include "model/step_context.hpp"
+#include "solver/contact_kernels.hpp"
 #include "solver/tick_rows.hpp"
 #include "tasks/parallel.hpp"
 
@@ -76,8 +77,15 @@ public:
     /// It takes part again; all do.
     virtual void comeIn(std::uint32_t contact) = 0;
     virtual void comeIn() = 0;
-    /// Gives impulses and sums of all back, which stay in their lanes.
-    virtual void storeAll(Table<Contact>& rows) const = 0;
+    /// The end of a step: arms and gaps at the poses of `rows`, all that was done added to the sums, and what
+    /// a step asks of contacts told to the table beside its rows. Lists those that touch and did not at the
+    /// end of the step before, or the reverse.
+    virtual ContactEndCounts conclude(const TickRows& rows, const StepContext& context,
+                                      ContactTable& contacts, std::vector<std::uint32_t>& changed) = 0;
+    /// After it: gives all that is known of one, or of all, to the rows of the table; they stay in their
+    /// lanes.
+    virtual void tell(std::uint32_t contact, Contact& row) const = 0;
+    virtual void tellAll(Table<Contact>& rows) const = 0;
 
     /// Arms, gaps and masses at the poses of `rows`; adds the velocity changes of what the contacts carry to
     /// rows.steady. Elastic contacts that carry nothing are no longer plain: they are listed.

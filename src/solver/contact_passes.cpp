@@ -35,10 +35,35 @@ void startLoose(Contact& c, const MotionTable& motions, TickRows& rows)
     b = laneRow(steadyB, loaded ? real(1) : b.w);
 }
 
-void ContactPasses::use(LaneWidth width)
+void ContactPasses::use(LaneWidth width, ContactTable& contacts)
 {
-    if (width != width_) lanes_ = makeContactLanes(width, parallel_);
+    if (width == width_) return;
+    leave(contacts);
+    lanes_ = makeContactLanes(width, parallel_);
     width_ = width;
+}
+
+void ContactPasses::tell(ContactTable& contacts)
+{
+    if (!isTold_) lanes_->tellAll(contacts.rows);
+    isTold_ = true;
+}
+
+void ContactPasses::leave(ContactTable& contacts)
+{
+    tell(contacts);
+    std::fill(inLane_.begin(), inLane_.end(), std::uint8_t{0});
+    areLeft_ = true;
+}
+
+void ContactPasses::release(const std::vector<std::uint8_t>& which, ContactTable& contacts)
+{
+    for (std::uint32_t i = 0; i < which.size(); ++i) {
+        if (which[i] == 0 || !isInLane(i)) continue;
+        if (!isTold_) lanes_->tell(i, contacts.rows[i]);
+        lanes_->drop(i);
+        inLane_[i] = 0;
+    }
 }
 
 void ContactPasses::begin(ContactTable& contacts, const MotionTable& motions, const Islands& islands,
@@ -53,20 +78,17 @@ void ContactPasses::begin(ContactTable& contacts, const MotionTable& motions, co
     outLoose_.reserve(contacts.rows.capacity());
     isLoose_.resize(count);
     inLane_.resize(count);
-    if (same && lanes_->fits(contacts.rows, renewed, context)) {
-        for (std::uint32_t i = 0; i < count; ++i) {
-            if (renewed[i] == 0 || inLane_[i] == 0) continue;
-            lanes_->drop(i);
-            inLane_[i] = 0;
-        }
+    if (same && !areLeft_ && lanes_->fits(contacts.rows, renewed, context)) {
         lanes_->carryOn(islands, rows);
     } else {
-        std::fill(inLane_.begin(), inLane_.end(), std::uint8_t{0});
+        leave(contacts);
         colorEnds_ = contacts.colorEnds;
         placeOf_.resize(count);
         for (std::uint32_t k = 0; k < contacts.order.size(); ++k) placeOf_[contacts.order[k]] = k;
         lanes_->build(contacts, motions, islands, context);
     }
+    isTold_ = true;  // until the step is over, of what is in no lane
+    areLeft_ = false;
     parallel_.forEach(count, kContactGrain, [&](const Chunk& chunk) {
         for (std::size_t i = chunk.begin; i < chunk.end; ++i) {
             isLoose_[i] = 0;
@@ -82,11 +104,19 @@ void ContactPasses::begin(ContactTable& contacts, const MotionTable& motions, co
         if (isLoose_[i] != 0) loose_.push_back(i);
 }
 
-void ContactPasses::end(ContactTable& contacts)
+void ContactPasses::end(ContactTable& contacts, const std::vector<std::uint32_t>& swept)
 {
     if (anySitsOut_) lanes_->comeIn();
     anySitsOut_ = false;
-    lanes_->storeAll(contacts.rows);
+    for (const std::uint32_t i : swept) leaveLane(i, contacts.rows[i]);
+    isTold_ = false;
+}
+
+ContactEndCounts ContactPasses::conclude(const TickRows& rows, const StepContext& context,
+                                         ContactTable& contacts, std::vector<std::uint32_t>& changed)
+{
+    changed.clear();
+    return areLeft_ ? ContactEndCounts{} : lanes_->conclude(rows, context, contacts, changed);
 }
 
 void ContactPasses::addLoose(std::uint32_t contact)

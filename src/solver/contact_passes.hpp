@@ -19,16 +19,27 @@ public:
     explicit ContactPasses(Parallel& parallel) : parallel_(parallel) {}
 
     /// Before each step: the width of the lanes; not Best. Those of another one take nothing over.
-    void use(LaneWidth width);
+    void use(LaneWidth width, ContactTable& contacts);
 
     /// Takes over the contacts of a step, colored and with manifolds; forgets the sums of the step before. If
-    /// they are `same`, one by one, as at the end of the last step, those in lanes stay there, but for those
-    /// that are `renewed`.
+    /// they are `same`, one by one, as at the end of the last step, those in lanes stay there; those that are
+    /// `renewed` have been released.
     void begin(ContactTable& contacts, const MotionTable& motions, const Islands& islands,
                const TickRows& rows, const StepContext& context, bool same,
                const std::vector<std::uint8_t>& renewed);
-    /// Tells the table what all have done.
-    void end(ContactTable& contacts);
+    /// The ticks are over; what is `swept` leaves the lanes, to be looked at where it is now.
+    void end(ContactTable& contacts, const std::vector<std::uint32_t>& swept);
+
+    /// Then, for what is in lanes: where it is, what the next step asks of it, and whether it touches. Lists
+    /// those of which that has changed. The rows of the table hear of all else when somebody asks: `tell`.
+    ContactEndCounts conclude(const TickRows& rows, const StepContext& context, ContactTable& contacts,
+                              std::vector<std::uint32_t>& changed);
+    /// After the ticks: the rows of the table hear all that lanes know.
+    void tell(ContactTable& contacts);
+    /// The same, and nothing is in a lane any more: contacts are about to change their numbers.
+    void leave(ContactTable& contacts);
+    /// Manifolds of some contacts are about to change: likewise for them.
+    void release(const std::vector<std::uint8_t>& which, ContactTable& contacts);
 
     /// A tick that stands for so many begins: only contacts of which both bodies are `quiet`, by row, take
     /// part, and carry that many times as much.
@@ -111,6 +122,8 @@ private:
     std::vector<std::uint32_t> loose_;  // contacts out of their lanes that have points, in solving order
     std::vector<std::uint8_t> isLoose_;  // by contact: is it in that list, or would be, but sits out?
     bool anySitsOut_ = false;
+    bool isTold_ = true;  // is there nothing in the lanes that the table does not know?
+    bool areLeft_ = true;  // is nothing in them?
     std::vector<std::uint32_t> outLoose_;  // those that sit out a tick that stands for many
     std::vector<std::uint8_t> inLane_;  // by contact: is it in its lane?
     std::vector<std::uint32_t> placeOf_;  // by contact: in the order of solving

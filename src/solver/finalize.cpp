@@ -27,7 +27,8 @@ bool stopAtEdge(Motion& m, real lengthUnit)
     return true;
 }
 
-void finalizeBody(Motion& m, BodyTable& bodies, const StepContext& context, FinalCounts& counts)
+// Returns whether it is where the solver has left it.
+bool finalizeBody(Motion& m, BodyTable& bodies, const StepContext& context, FinalCounts& counts)
 {
     BodyRow& b = bodies.rows[m.body];
     remember(bodies, m.body);
@@ -39,14 +40,16 @@ void finalizeBody(Motion& m, BodyTable& bodies, const StepContext& context, Fina
         m.angle = b.angle;
         m.rotation = b.rotation;
         ++counts.nonFinite;
-        return;
+        return false;
     }
-    counts.stopped += stopAtEdge(m, context.lengthUnit) ? 1 : 0;
+    const bool stops = stopAtEdge(m, context.lengthUnit);
+    counts.stopped += stops ? 1 : 0;
     b.center = m.center;
     b.angle = m.angle;
     b.rotation = m.rotation;
     b.velocity = m.velocity;
     b.spin = m.spin;
+    return !stops;
 }
 
 // Where the contact is now. A swept pair's manifold may be stale by now: its nearest features are looked up
@@ -65,14 +68,6 @@ void finalizeContact(Contact& c, const Motion& a, const Motion& b, const ShapeTa
         const double overlap = -static_cast<double>(c.points[i].gap + c.restGap);
         if (overlap > counts.deepestOverlap) counts.deepestOverlap = overlap;
     }
-}
-
-TouchChange noteTouch(Contact& c, const Tuning& tuning, FinalCounts& counts)
-{
-    const bool touches = isTouching(c, tuning), did = c.touching;
-    c.touching = touches;
-    counts.touching += touches ? 1 : 0;
-    return touches == did ? TouchChange::Same : touches ? TouchChange::Begins : TouchChange::Ends;
 }
 
 FinalCounts sumOf(const std::vector<FinalCounts>& ofChunks)
@@ -99,8 +94,9 @@ void remember(BodyTable& bodies, std::uint32_t slot)
     mover.stepTorque = 0;
 }
 
-FinalCounts finalize(MotionTable& motions, ContactTable& contacts, const ShapeTable& shapes,
-                     BodyTable& bodies, const StepContext& context, FinalScratch& scratch, Parallel& parallel)
+FinalCounts finalize(SolverScratch& solver, MotionTable& motions, ContactTable& contacts,
+                     const ShapeTable& shapes, BodyTable& bodies, const StepContext& context,
+                     FinalScratch& scratch, Parallel& parallel)
 {
     constexpr std::size_t kBodies = 256, kContacts = 128;
     std::vector<FinalCounts>& ofChunks = scratch.ofChunks;
@@ -108,30 +104,43 @@ FinalCounts finalize(MotionTable& motions, ContactTable& contacts, const ShapeTa
     parallel.forEach(motions.rows.size(), kBodies, [&](const Chunk& chunk) {
         for (std::size_t row = chunk.begin; row < chunk.end; ++row) {
             Motion& m = motions.rows[row];
-            if (bodies.rows[m.body].takesPart) finalizeBody(m, bodies, context, ofChunks[chunk.index]);
+            if (bodies.rows[m.body].takesPart && !finalizeBody(m, bodies, context, ofChunks[chunk.index]))
+                solver.rows.poses[row] = poseRow(m, solver.rows.origins[row].center);
         }
     });
     FinalCounts counts = sumOf(ofChunks);
 
-    // All that is said of a contact at once: their table is the largest there is.
-    ofChunks.assign(Parallel::chunksOf(contacts.rows.size(), kContacts), {});
-    scratch.touchChanges.resize(contacts.rows.size());
-    contacts.facts.resize(contacts.rows.size());
+    // Contacts: those in lanes stay there, and the table of all, the largest there is, stays closed.
+    const std::size_t count = contacts.rows.size();
+    contacts.facts.resize(count);
+    contacts.nearness.resize(count);
     contacts.loads.reserve(contacts.rows.capacity());
-    contacts.loads.resize(contacts.rows.size());
-    parallel.forEach(contacts.rows.size(), kContacts, [&](const Chunk& chunk) {
+    contacts.loads.resize(count);
+    const ContactEndCounts ofLanes = solver.passes.conclude(solver.rows, context, contacts, scratch.changed);
+    for (const std::uint32_t i : scratch.changed) contacts.rows[i].touching = !contacts.rows[i].touching;
+
+    ofChunks.assign(Parallel::chunksOf(count, kContacts), {});
+    scratch.changedLoose.begin(ofChunks.size());
+    parallel.forEach(count, kContacts, [&](const Chunk& chunk) {
         for (std::size_t i = chunk.begin; i < chunk.end; ++i) {
+            if (solver.passes.isInLane(static_cast<std::uint32_t>(i))) continue;
             Contact& c = contacts.rows[i];
             FinalCounts& ofChunk = ofChunks[chunk.index];
             finalizeContact(c, motions.rows[c.rowA], motions.rows[c.rowB], shapes, context, ofChunk);
-            contacts.facts[i] = factsOf(c, context.tuning);
+            contacts.facts[i] = factsOf(c);
+            contacts.nearness[i] = nearnessOf(c, context.tuning);
             contacts.loads[i] = loadOf(c);
-            scratch.touchChanges[i] = noteTouch(c, context.tuning, ofChunk);
+            const bool touches = isTouching(c, context.tuning);
+            ofChunk.touching += touches ? 1 : 0;
+            if (touches != c.touching)
+                scratch.changedLoose.of(chunk.index).push_back(static_cast<std::uint32_t>(i));
+            c.touching = touches;
         }
     });
-    const FinalCounts ofContacts = sumOf(ofChunks);
-    counts.deepestOverlap = ofContacts.deepestOverlap;
-    counts.touching = ofContacts.touching;
+    scratch.changedLoose.forAll([&](std::uint32_t i) { scratch.changed.push_back(i); });
+    const FinalCounts ofLoose = sumOf(ofChunks);
+    counts.deepestOverlap = maximum(ofLoose.deepestOverlap, static_cast<double>(ofLanes.deepest));
+    counts.touching = ofLoose.touching + ofLanes.touching;
     return counts;
 }
 

@@ -6,6 +6,8 @@
 #include "model/motion.hpp"
 #include "model/shapes.hpp"
 #include "model/step_context.hpp"
+#include "solver/solve.hpp"
+#include "tasks/chunk_lists.hpp"
 #include "tasks/parallel.hpp"
 
 #include <cstdint>
@@ -20,11 +22,11 @@ struct FinalCounts {
     double deepestOverlap = 0;     // [m]
 };
 
-enum class TouchChange : std::uint8_t { Same, Begins, Ends };
-
 struct FinalScratch {
     std::vector<FinalCounts> ofChunks;
-    std::vector<TouchChange> touchChanges;  // by contact: since the end of the last step
+    ChunkLists<std::uint32_t> changedLoose;
+    std::vector<std::uint32_t>
+        changed;  // contacts that touch and did not at the end of the last step, or the reverse
 };
 
 /// The pose at hand as the one before the step, and no force for the step any more.
@@ -32,8 +34,8 @@ void remember(BodyTable& bodies, std::uint32_t slot);
 
 /// Writes the solved state back to the bodies that take part, measures the contacts where they are now, and
 /// says which of them touch. A body whose state is no number is put back where it was, at rest and disabled.
-FinalCounts finalize(MotionTable& motions, ContactTable& contacts, const ShapeTable& shapes,
-                     BodyTable& bodies, const StepContext& context, FinalScratch& scratch,
-                     Parallel& parallel);
+FinalCounts finalize(SolverScratch& solver, MotionTable& motions, ContactTable& contacts,
+                     const ShapeTable& shapes, BodyTable& bodies, const StepContext& context,
+                     FinalScratch& scratch, Parallel& parallel);
 
 }  // namespace tamias2d::inline TAMIAS_PRECISION

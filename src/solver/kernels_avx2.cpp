@@ -3,6 +3,7 @@
 
 #include "solver/body_kernels_of.hpp"
 #include "solver/contact_kernels_of.hpp"
+#include "solver/contact_step_kernels.hpp"
 #include "solver/hinge_kernels_of.hpp"
 
 namespace tamias2d::inline TAMIAS_PRECISION {

@@ -188,11 +188,11 @@ void calm(SolverStage& stage, const StepContext& context)
 
 }  // namespace
 
-void SolverScratch::suit(std::size_t count)
+void SolverScratch::suit(std::size_t count, ContactTable& contacts)
 {
     most_ = maximum(most_, count);
     const LaneWidth width = suitedLanes(asked_, most_);
-    passes.use(width);
+    passes.use(width, contacts);
     if (width != width_) hinges_ = makeHingeLanes(width, parallel_);
     width_ = width;
     bodyKernelsOfStep_ = &bodyKernels(width);
@@ -205,7 +205,7 @@ SolverCounts solve(SolverStage& stage, const StepContext& context)
     Table<Motion>& rows = stage.motions.rows;
     TickRows& lanes = scratch.rows;
     std::uint32_t groups = 0;
-    scratch.suit(rows.size());
+    scratch.suit(rows.size(), stage.contacts);
     ImpactStage impacts{
         stage.world,      stage.field,      stage.resting,    stage.asleep,    stage.islands, stage.motions,
         stage.contacts,   scratch.passes,   scratch.bodies(), lanes,           stage.joints,  stage.system,
@@ -314,7 +314,7 @@ SolverCounts solve(SolverStage& stage, const StepContext& context)
     counts.pileFallbacks = scratch.passes.piles().fallbacks();
     hinges.store(stage.system, stage.joints);
     releaseGuard(stage.system, rows);
-    scratch.passes.end(stage.contacts);
+    scratch.passes.end(stage.contacts, scratch.impacts.swept);
     endSweeps(impacts);
     return counts;
 }

@@ -34,7 +34,7 @@ struct SolverScratch {
 
     /// Before each step: the width for the most rows there have been. Lanes of another width would need
     /// memory of their own, and a warm world asks for none.
-    void suit(std::size_t count);
+    void suit(std::size_t count, ContactTable& contacts);
     const BodyKernels& bodies() const { return *bodyKernelsOfStep_; }
     HingeLanes& hinges() { return *hinges_; }
 

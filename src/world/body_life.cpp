@@ -132,6 +132,7 @@ void World::Impl::removeShape(std::uint32_t slot)
 // Contacts of a shape that leaves: those that touched are told as ended.
 void World::Impl::endContacts(std::uint32_t slot)
 {
+    leaveLanes();
     std::erase_if(contacts.rows, [&](const Contact& contact) {
         if (contact.shapeA != slot && contact.shapeB != slot) return false;
         if (contact.touching) endsOfDestroyed.push_back(touchEvent(contact));
@@ -226,6 +227,7 @@ void World::Impl::moveCenter(std::uint32_t slot, Position origin, Vec2 before, V
                 }
             }
         };
+        leaveLanes();
         moveAnchors(contacts.rows);
         if (b.isAsleep()) moveAnchors(asleep.groups[b.group].contacts);
         if (!b.isDynamic() && !asleep.isEmpty())

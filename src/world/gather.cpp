@@ -83,10 +83,12 @@ void World::Impl::predictSteady(const StepContext& context)
             addLoad(contacts.loads[i], motionAt(of.rowA), motionAt(of.rowB));
         }
     } else {
-        for (const Contact& c : contacts.rows) {
+        for (std::size_t i = 0; i < contacts.rows.size(); ++i) {
+            const Contact& c = contacts.rows[i];
             const std::uint32_t bodyA = shapes.rows[c.shapeA].body, bodyB = shapes.rows[c.shapeB].body;
             if (!bodies.rows[bodyA].enabled || !bodies.rows[bodyB].enabled) continue;
-            addLoad(loadOf(c), motionAt(motions.rowOf[bodyA]), motionAt(motions.rowOf[bodyB]));
+            const ContactLoad load = i < contacts.loads.size() ? contacts.loads[i] : loadOf(c);
+            addLoad(load, motionAt(motions.rowOf[bodyA]), motionAt(motions.rowOf[bodyB]));
         }
     }
     for (Motion& m : motions.rows) limitSteady(m, context);

@@ -98,6 +98,7 @@ struct World::Impl {
     ContactTable contacts;          // of bodies that take part
     bool contactsAreSorted = true;
     void sortContacts();
+    void leaveLanes();
     JointTable joints;
     bool uncoupledIsStale = false;
     SleepTable asleep;

@@ -260,6 +260,7 @@ bool World::Impl::sleepNow(std::uint32_t slot)
 // The contacts of bodies that have just been given a group go there; the bodies stop and leave the steps.
 void World::Impl::storeContacts()
 {
+    leaveLanes();
     std::size_t kept = 0;
     for (std::size_t i = 0; i < contacts.rows.size(); ++i) {
         const Contact& c = contacts.rows[i];

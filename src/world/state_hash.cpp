@@ -85,6 +85,7 @@ std::uint64_t World::stateHash() const noexcept
 {
     impl_->settle();
     impl_->sortContacts();
+    impl_->solverScratch.passes.tell(impl_->contacts);
     Hasher hash;
     hash.add(impl_->time);
     hash.add(impl_->steps);

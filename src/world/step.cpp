@@ -44,21 +44,15 @@ bool readRows(const MotionTable& motions, GraphScratch& graph)
 // Who meets whom, and how near. Returns whether all are as near as before; they are the `same` pairs.
 bool readContacts(const ContactTable& contacts, bool same, GraphScratch& graph, Parallel& parallel)
 {
+    if (same && graph.nearness == contacts.nearness) return true;
+    graph.nearness.assign(contacts.nearness.begin(), contacts.nearness.end());
+    if (same) return false;
     const Table<ContactFacts>& facts = contacts.facts;
-    std::atomic<bool> isSame = same;
     graph.pairs.resize(facts.size());
-    graph.nearness.resize(facts.size());
     parallel.forEach(facts.size(), kContactGrain, [&](const Chunk& chunk) {
-        bool changes = false;
-        for (std::size_t k = chunk.begin; k < chunk.end; ++k) {
-            const ContactFacts& of = facts[k];
-            if (!same) graph.pairs[k] = {of.rowA, of.rowB};
-            changes = changes || graph.nearness[k] != of.nearness;
-            graph.nearness[k] = of.nearness;
-        }
-        if (changes) isSame.store(false, std::memory_order_relaxed);
+        for (std::size_t k = chunk.begin; k < chunk.end; ++k) graph.pairs[k] = {facts[k].rowA, facts[k].rowB};
     });
-    return isSame;
+    return false;
 }
 
 // The pairs that are at least that near.
@@ -149,10 +143,19 @@ void World::Impl::breakJoints()
     }
 }
 
+// Contacts are about to change their numbers or their anchors: nothing beside their rows is true any more.
+void World::Impl::leaveLanes()
+{
+    solverScratch.passes.leave(contacts);
+    contacts.loads.clear();
+}
+
 // By shapes: those of bodies that have woken stand behind all others until now.
 void World::Impl::sortContacts()
 {
-    if (!contactsAreSorted) tamias2d::sortContacts(contacts.rows, matchScratch);
+    if (contactsAreSorted) return;
+    leaveLanes();
+    tamias2d::sortContacts(contacts.rows, matchScratch);
     contactsAreSorted = true;
 }
 
@@ -210,6 +213,7 @@ StepReport World::Impl::step(double dt, int substeps)
         boxesAreSwept = true;
     }
     if (!sameContacts) {
+        leaveLanes();
         sortContacts();
         span.next("pairs to contacts");
         matchPairs(world, pairs, contacts.rows, matchScratch, parallel);
@@ -220,8 +224,10 @@ StepReport World::Impl::step(double dt, int substeps)
 
     // How.
     span.next("manifolds");
+    findRenewed(contacts, sameContacts, motions, context, manifoldScratch, parallel);
+    solverScratch.passes.release(manifoldScratch.renewed, contacts);
     const ManifoldCounts manifolds =
-        updateForStep(contacts, sameContacts, shapes, motions, context, paths, manifoldScratch, parallel);
+        renewManifolds(contacts, shapes, motions, context, paths, manifoldScratch, parallel);
     r.sweptPairs = manifolds.swept;
     r.clamps.advancement += manifolds.exhausted;
     r.times.manifolds = watch.lap();
@@ -264,18 +270,16 @@ StepReport World::Impl::step(double dt, int substeps)
     span.next("finalize");
     if (r.repaired > 0 || !roused.empty()) contactsAreSorted = pairsAreCurrent = false;
     sortContacts();
-    const FinalCounts final = finalize(motions, contacts, shapes, bodies, context, finalScratch, parallel);
+    const FinalCounts final =
+        finalize(solverScratch, motions, contacts, shapes, bodies, context, finalScratch, parallel);
     r.nonFinite = final.nonFinite;
     if (r.nonFinite > 0) setAside();
     r.clamps.position = final.stopped;
     r.deepestOverlap = final.deepestOverlap;
     r.touching = final.touching;
     span.next("events");
-    for (std::size_t i = 0; i < contacts.rows.size(); ++i) {
-        const TouchChange change = finalScratch.touchChanges[i];
-        if (change == TouchChange::Begins) begins.push_back(touchEvent(contacts.rows[i]));
-        if (change == TouchChange::Ends) ends.push_back(touchEvent(contacts.rows[i]));
-    }
+    for (const std::uint32_t i : finalScratch.changed)
+        (contacts.rows[i].touching ? begins : ends).push_back(touchEvent(contacts.rows[i]));
     std::sort(begins.begin(), begins.end(), byShapes);
     std::sort(ends.begin(), ends.end(), byShapes);
     hits.clear();

@@ -66,7 +66,7 @@ void validateKept(const ContactTable& contacts, const ContactWorld& world, Fault
         faults.that(c.friction == anew.friction && c.restitution == anew.restitution &&
                         c.rolling == anew.rolling && c.surfaceSpeed == anew.surfaceSpeed,
                     "friction", c.friction, "and all else must be that of the materials");
-        if (contacts.loads.size() != contacts.rows.size()) continue;
+        if (i >= contacts.loads.size()) continue;
         const ContactLoad load = loadOf(c);
         faults.that(contacts.loads[i].impulse == load.impulse, "impulse", contacts.loads[i].impulse,
                     "must be what the points carry");

@@ -45,6 +45,7 @@ ContactView World::Impl::view(const Contact& c) const
 std::vector<ContactView> World::contacts() const
 {
     std::vector<const Contact*> rows;
+    impl_->solverScratch.passes.tell(impl_->contacts);
     for (const Contact& c : impl_->contacts.rows)
         if (c.count > 0 || c.stepImpulse != Vec2{}) rows.push_back(&c);
     for (const SleepGroup& group : impl_->asleep.groups)
@@ -105,6 +106,7 @@ Momentum World::momentum() const
 std::vector<std::string> World::validate() const
 {
     Faults faults;
+    impl_->solverScratch.passes.tell(impl_->contacts);
     impl_->validate(faults);
     return faults.found();
 }

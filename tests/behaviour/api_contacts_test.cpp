@@ -245,6 +245,17 @@ TEST(ContactImpulses, OfATopplingHeapSumToTheChangeOfMomentumOfEachBody)
     EXPECT_LT(worstOfDd10(world, 10, 180), kImpulseError);
 }
 
+TEST(ContactImpulses, OfAHeapThatIsShotAtSumToTheChangeOfMomentumOfEachBody)
+{
+    TRACES("DD10", "T2", "R8", "ADR27");
+    World world(withoutCalming());
+    addGround(world);
+    for (int i = 0; i < 5; ++i) addBox(world, {0, 0.501 + 1.001 * i}, 1, 1);
+    for (int i = 0; i < 4; ++i)
+        addDisc(world, {-20.0 - 15 * i, 1.0 + i}, 0.3, {.velocity = vec(60, 0), .restitution = 0.5});
+    EXPECT_LT(worstOfDd10(world, 10, 120), 6 * kImpulseError);
+}
+
 // Along a normal that does not turn, the points tell the same in parts.
 TEST(ContactImpulses, OfThePointsSumToThatOfTheContact)
 {

@@ -317,4 +317,33 @@ TEST(Kept, SmallMovesAddUp)
     EXPECT_LE(box.position().y, -3);
 }
 
+// What a step leaves in lanes is told to the table when somebody asks, in the midst of a hail that meets in
+// mid-step what nothing was expected to reach.
+TEST(Kept, StepsGoOnAlikeWhetherOrNotAnybodyAsks)
+{
+    TRACES("NFR1", "ADR6", "ADR27");
+    World asked, silent;
+    std::uint32_t repaired = 0;
+    for (World* world : {&asked, &silent}) {
+        addGround(*world, 0, 400);
+        addPyramid(*world, 10);
+        addStack(*world, 6, 20);
+        for (int i = 0; i < 12; ++i)
+            addBox(*world, {-40.0 - 3 * i, 2.0 + 0.3 * i}, 0.4, 0.4,
+                   {.velocity = vec(40 + 3 * i, 2), .spin = toReal(5 - i), .restitution = 0.4});
+        for (int i = 0; i < 6; ++i)
+            addDisc(*world, {20.2, 12.0 + 2 * i}, 0.4, {.velocity = vec(0, -20), .restitution = 0.8});
+    }
+    for (int i = 0; i < 300; ++i) {
+        repaired += asked.step().repaired;
+        silent.step();
+        EXPECT_EQ(asked.validate(), std::vector<std::string>{}) << "step " << i;
+        for (const ContactView& c : asked.contacts())
+            EXPECT_TRUE(std::isfinite(c.impulse.x) && c.pointCount <= 2) << "step " << i;
+        asked.stateHash();
+    }
+    EXPECT_EQ(asked.stateHash(), silent.stateHash());
+    EXPECT_GT(repaired, 0u) << "steps in which others came in";
+}
+
 }  // namespace tamias2d::test

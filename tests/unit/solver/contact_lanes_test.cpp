@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Passes over contacts in lanes give the bits that visiting the contacts one by one gives, with any width.
 #include "contacts/rows.hpp"
+#include "contacts/step_manifolds.hpp"
 #include "graph/coloring.hpp"
 #include "solver/contact_passes.hpp"
 #include "support/traces.hpp"
@@ -111,6 +112,18 @@ void prepareOneByOne(Heap& heap)
     }
 }
 
+// Returns the contacts that touch now and did not, or the reverse.
+std::vector<std::uint32_t> endStep(ContactPasses& passes, Heap& heap)
+{
+    std::vector<std::uint32_t> changed;
+    heap.contacts.nearness.resize(heap.contacts.rows.size());
+    heap.contacts.loads.resize(heap.contacts.rows.size());
+    passes.end(heap.contacts, {});
+    passes.conclude(heap.rows, heap.context, heap.contacts, changed);
+    passes.tell(heap.contacts);
+    return changed;
+}
+
 constexpr LaneWidth kWidths[] = {LaneWidth::Scalar, LaneWidth::Bytes16, LaneWidth::Bytes32,
                                  LaneWidth::Bytes64};
 
@@ -130,12 +143,12 @@ TEST(ContactLanes, GiveTheBitsOfVisitingContactsOneByOne)
             solveOneByOne(single);
 
             ContactPasses passes(parallel);
-            passes.use(width);
+            passes.use(width, wide.contacts);
             passes.begin(wide.contacts, wide.motions, wide.islands, wide.rows, wide.context, false, {});
             passes.prepare(wide.contacts, wide.motions, wide.rows, wide.context);
             passes.solve(wide.contacts, wide.motions, wide.rows, wide.context);
             passes.finish(wide.contacts, wide.motions, wide.rows);
-            passes.end(wide.contacts);
+            endStep(passes, wide);
 
             for (std::size_t i = 0; i < wide.motions.rows.size(); ++i) {
                 const LaneRow& row = wide.rows.velocities[i];
@@ -170,7 +183,7 @@ TEST(ContactLanes, GiveTheSameBitsWithAnyWidth)
             Heap heap = start;
             ClampCounts clamps;
             ContactPasses passes(parallel);
-            passes.use(width);
+            passes.use(width, heap.contacts);
             passes.begin(heap.contacts, heap.motions, heap.islands, heap.rows, heap.context, false, {});
             for (int tick = 0; tick < 3; ++tick) {
                 passes.prepare(heap.contacts, heap.motions, heap.rows, heap.context);
@@ -178,7 +191,7 @@ TEST(ContactLanes, GiveTheSameBitsWithAnyWidth)
                 passes.finish(heap.contacts, heap.motions, heap.rows);
                 passes.pushApart(heap.contacts, heap.motions, heap.rows, heap.context, clamps);
             }
-            passes.end(heap.contacts);
+            endStep(passes, heap);
             if (width == LaneWidth::Scalar) {
                 first = heap;
                 continue;
@@ -199,6 +212,51 @@ TEST(ContactLanes, GiveTheSameBitsWithAnyWidth)
             }
         }
     }
+}
+
+// What lanes hand on from step to step is what the rows of the table say, once these have been told.
+TEST(ContactLanes, SayAtTheEndWhatTheTableWouldSay)
+{
+    TRACES("ADR6", "ADR27");
+    Profile profile;
+    Parallel parallel(1, nullptr, profile);
+    const real error = sizeof(real) == sizeof(double) ? real(1e-12) : real(2e-5);
+    int changes = 0;
+    for (unsigned seed = 1; seed <= 30; ++seed) {
+        Heap heap = randomHeap(seed, 3 + seed * 2, 5 + seed * 4);
+        ContactPasses passes(parallel);
+        passes.use(kWidths[seed % 2], heap.contacts);
+        passes.begin(heap.contacts, heap.motions, heap.islands, heap.rows, heap.context, false, {});
+        passes.prepare(heap.contacts, heap.motions, heap.rows, heap.context);
+        passes.solve(heap.contacts, heap.motions, heap.rows, heap.context);
+        passes.finish(heap.contacts, heap.motions, heap.rows);
+        const Table<Contact> before = heap.contacts.rows;
+        const std::vector<std::uint32_t> changed = endStep(passes, heap);
+        std::vector<std::uint32_t> touch;
+        for (std::uint32_t i = 0; i < before.size(); ++i) {
+            if (!passes.isInLane(i)) continue;
+            const Contact& c = heap.contacts.rows[i];
+            const std::string where = "contact " + std::to_string(i) + ", seed " + std::to_string(seed);
+            Contact placed = c;
+            placeContact(placed, heap.motions.rows[c.rowA], heap.motions.rows[c.rowB]);
+            for (int k = 0; k < c.count; ++k) {
+                const ContactPointRow &p = c.points[k], &q = placed.points[k];
+                EXPECT_NEAR(p.gap, q.gap, error) << where;
+                EXPECT_LT(length(p.armA - q.armA) + length(p.armB - q.armB), 4 * error) << where;
+            }
+            const ContactLoad load = loadOf(placed), &told = heap.contacts.loads[i];
+            EXPECT_LT(length(told.impulse - load.impulse), 8 * error) << where;
+            EXPECT_NEAR(told.momentA, load.momentA, 40 * error) << where;
+            EXPECT_NEAR(told.momentB, load.momentB, 40 * error) << where;
+            EXPECT_EQ(heap.contacts.nearness[i], nearnessOf(c, heap.context.tuning)) << where;
+            if (isTouching(c, heap.context.tuning)) touch.push_back(i);
+        }
+        std::vector<std::uint32_t> sorted = changed;
+        std::sort(sorted.begin(), sorted.end());
+        EXPECT_EQ(sorted, touch) << "none touched before, seed " << seed;
+        changes += static_cast<int>(changed.size());
+    }
+    EXPECT_GT(changes, 50);
 }
 
 }  // namespace
