@@ -9,13 +9,6 @@ namespace tamias2d::inline TAMIAS_PRECISION {
 /// far turning may take the points of each.   [rest gaps]
 inline constexpr real kManifoldRoom = real(0.25);
 
-/// A bound on how far a center goes in the step, or goes against another: by its velocity and by twice its
-/// acceleration, see CenterWay.   [m]
-inline real travelBy(Vec2 glide, Vec2 bend)
-{
-    return absolute(glide.x) + absolute(glide.y) + (absolute(bend.x) + absolute(bend.y));
-}
-
 /// What the manifolds of some contacts came to.
 struct ManifoldCounts {
     std::uint32_t kept = 0;  ///< manifolds of the step before

@@ -79,6 +79,14 @@ struct CenterWay {
     Vec2 glide, bend;  // by its velocity, by twice its acceleration: dt v, dt^2 a   [m]
 };
 
+/// A bound on how far a center goes in the step, or goes against another: by its velocity and by twice its
+/// acceleration, see CenterWay. T is real, or a Lane.   [m]
+template <class T>
+inline T travelBy(BasicVec2<T> glide, BasicVec2<T> bend)
+{
+    return absolute(glide.x) + absolute(glide.y) + (absolute(bend.x) + absolute(bend.y));
+}
+
 /// The bodies of a step, and which row each one has: first those that take part, then the still ones that
 /// they may meet (static, or kinematic at rest); each sorted by slot, but for those that come in mid-step.
 struct MotionTable {
@@ -91,6 +99,7 @@ struct MotionTable {
     std::vector<Position> origins;         // near the center: where lanes count its way from   [m]
     Table<CenterWay> centers;              // by row
     std::vector<real> rooms;  // how far beyond their expected ways boxes made in this step reach at least [m]
+    std::vector<std::uint8_t> slow;  // does no point of it go farther than what is quiet?
 
     std::uint32_t rowFor(std::uint32_t body) const { return body < rowOf.size() ? rowOf[body] : kNone; }
 };

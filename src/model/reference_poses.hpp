@@ -61,6 +61,7 @@ struct ReferencePoses {
     struct Row {
         ReferencePose ofBoxes;
         ReferenceTurn ofManifolds;
+        real width = 0;   // of its narrowest shape, since the turn that manifolds are kept for   [m]
     };
     Table<Row> rows;   // by number of the MoverRow: what has none has never been in a step
 

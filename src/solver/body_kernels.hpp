@@ -54,6 +54,9 @@ struct CalmPair {
 /// What is done with all bodies in a tick, several at once. Compiled for each width, as ContactKernels are,
 /// and with the same care; all widths give the same bits. Ranges may be cut in any way.
 struct BodyKernels {
+    /// What contacts carry, in Motion::steady, held to what forces may do; and where that and all else takes
+    /// bodies in the step, in `centers`, by row, and in rows.travels.
+    void (*expect)(const BodyRows& bodies, CenterWay* centers, const StepContext& context);
     /// How bodies go in the tick that begins: bounds on how fast their points turn, in rows.ways, and the
     /// velocities at both its ends, in rows.spans.
     void (*boundSpeeds)(const BodyRows& bodies, const StepContext& context);

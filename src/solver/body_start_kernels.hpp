@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The kernels over bodies with which a tick begins: what is carried, how fast, who strays.
+// The kernels over bodies with which a step and its ticks begin: what is carried, how far, how fast, who strays.
 #pragma once
 
 #include "contacts/row_kernel.hpp"
@@ -57,6 +57,36 @@ FourLanes<W> flightOf(const FourLanes<W>& velocity, const FourLanes<W>& steady, 
     const Lane<W> turn = expected(outside.z, rotation.w, velocity.z, steady.z);
     return {x, y, turn,
             fastestPoint<Lane<W>>({velocity.x, velocity.y}, velocity.z, {x, y}, turn, masses.w, h)};
+}
+
+template <int W>
+void expect(const BodyRows& bodies, CenterWay* centers, const StepContext& context)
+{
+    using Wide = Lane<W>;
+    Motion* const motions = bodies.motions;
+    const Wide h(context.h), invH(context.invH), dt(static_cast<real>(context.dt));
+    const Wide ticks(static_cast<real>(context.ticks));
+    eachRun<W>(bodies, [&](const auto& run) {
+        FourLanes<W> steady = load<W>(motions, kSteady, run);
+        if (limitSteady(steady, context)) store<W>(steady, motions, kSteady, run);
+        const FourLanes<W> velocity = load<W>(motions, kVelocity, run);
+        const FourLanes<W> outside = load<W>(motions, kAcceleration, run);
+        const FourLanes<W> damping = load<W>(motions, kRotation, run);
+        const Wide extent = load<W>(motions, kMasses, run).w;
+        const BasicVec2<Wide> v{velocity.x, velocity.y};
+        const BasicVec2<Wide> glide = dt * v;
+        const BasicVec2<Wide> bend =
+            dt * (dt * BasicVec2<Wide>{expectedRate(outside.x, damping.z, velocity.x, steady.x, invH),
+                                       expectedRate(outside.y, damping.z, velocity.y, steady.y, invH)});
+        const Wide rate = expectedRate(outside.z, damping.w, velocity.z, steady.z, invH);
+        const Wide turn = dt * extent * (absolute(velocity.z) + dt * absolute(rate));
+        const Wide speed =
+            fastestPoint<Wide>(v, velocity.z, {steady.x + h * outside.x, steady.y + h * outside.y},
+                               steady.z + h * outside.z, extent, ticks);
+        store<W>({glide.x, glide.y, bend.x, bend.y}, centers, offsetof(CenterWay, glide), run);
+        store<W>({turn, travelBy(glide, bend) + turn, dt * speed, Wide(real(0))}, bodies.rows.travels.data(),
+                 0, run);
+    });
 }
 
 template <int W>

@@ -15,32 +15,22 @@ namespace {
 // Of a row: what it is, and whether anything is near.
 enum State : std::uint8_t { Slow = 0, Moves = 1, StillGround = 2, Near = 4 };
 
-State stateOf(const ImpactStage& stage, std::uint32_t row, const StepContext& context, bool varies)
+State stateOf(const ImpactStage& stage, std::uint32_t row, bool varies)
 {
     const Motion& m = stage.motions.rows[row];
     if (!m.moves()) return m.velocity == Vec2{} && m.spin == 0 ? StillGround : Moves;
-    // How far any point of it may come: what contacts carry balances what else acts on it, but for this.
-    const Vec2 change = m.steady + context.h * m.acceleration;
-    const real spinChange = m.steadySpin + context.h * m.spinRate;
-    const real speed =
-        fastestPoint(m.velocity, m.spin, change, spinChange, m.extent, static_cast<real>(context.ticks));
-    const real way = static_cast<real>(context.dt) * speed;
-    const real part = context.tuning.quiet * context.tuning.restGap;
-    if (!(way <= 2 * m.extent * part)) return Moves;  // mostly: no shape of it is wider
-    if (stage.visited.isLone(row) || stage.system.isTied(row)) return Moves;
-    if (varies && stage.field.variesFor(m, stage.world.bodies)) return Moves;
-    return way <= part * stage.world.shapes.widthOf(stage.world.bodies.rows[m.body]) ? Slow : Moves;
+    if (stage.motions.slow[row] == 0 || stage.visited.isLone(row) || stage.system.isTied(row)) return Moves;
+    return varies && stage.field.variesFor(m, stage.world.bodies) ? Moves : Slow;
 }
 
 // Returns whether any body that may move is slow.
-bool findStates(const ImpactStage& stage, const StepContext& context, bool varies,
-                std::vector<std::uint8_t>& states)
+bool findStates(const ImpactStage& stage, bool varies, std::vector<std::uint8_t>& states)
 {
     states.reserve(stage.motions.rows.capacity());
     states.resize(stage.motions.rows.size());
     bool any = false;
     for (std::uint32_t row = 0; row < states.size(); ++row) {
-        states[row] = stateOf(stage, row, context, varies);
+        states[row] = stateOf(stage, row, varies);
         any = any || states[row] == Slow;
     }
     return any;
@@ -84,7 +74,7 @@ void findRestless(const ImpactStage& stage, QuietScratch& scratch)
 bool findQuiet(ImpactStage& stage, const StepContext& context, bool same, bool varies, QuietScratch& scratch)
 {
     scratch.parentIsStale = scratch.parentIsStale || !same;
-    if (!(context.tuning.quiet > 0) || !findStates(stage, context, varies, scratch.states)) return false;
+    if (!(context.tuning.quiet > 0) || !findStates(stage, varies, scratch.states)) return false;
     if (scratch.parentIsStale) findCompanies(stage, scratch.parent);
     scratch.parentIsStale = false;
     findRestless(stage, scratch);

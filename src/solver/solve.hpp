@@ -36,6 +36,11 @@ struct SolverScratch {
     /// memory of their own, and a warm world asks for none.
     void suit(std::size_t count, ContactTable& contacts);
     const BodyKernels& bodies() const { return *bodyKernelsOfStep_; }
+    /// Before that: those for so many rows.
+    const BodyKernels& bodiesFor(std::size_t count) const
+    {
+        return bodyKernels(suitedLanes(asked_, maximum(most_, count)));
+    }
     HingeLanes& hinges() { return *hinges_; }
 
 private:

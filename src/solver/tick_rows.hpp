@@ -34,6 +34,13 @@ struct alignas(kRowBytes) Way {
     real turning = 0; // at most how fast any point of it turns in the tick that follows   [m/s]
 };
 
+/// How far a body goes in the step at most, as it is expected to.   [m]
+struct alignas(kRowBytes) Travel {
+    real turn = 0;   // any point, by turning
+    real whole = 0;  // any point
+    real free = 0;   // any point, by what contacts do not balance of all that acts on it
+};
+
 /// The way that the box of a body in the broad phase was made for, and how far the body may leave it.
 struct PredictedWay {
     alignas(kRowBytes) Vec2 velocity;  // at the start of the step, or as if it had been so since then   [m/s]
@@ -68,6 +75,7 @@ struct TickRows {
     Table<ImpactKick> kicks;
     Table<PredictedWay> predicted;  // of the step
     Table<Way> ways;  // in the last tick
+    Table<Travel> travels;  // before the first tick
     Table<LaneRow> spans;  // velocities as a tick begins and, if nothing happens, as it ends   [m/s]
 };
 

@@ -22,19 +22,6 @@ real turnRoom(real width, const StepContext& context)
     return kManifoldRoom * context.tuning.restGap * width;
 }
 
-CenterWay centerWayOf(const Motion& m, const StepContext& context)
-{
-    const real dt = static_cast<real>(context.dt);
-    return {m.center, dt * m.velocity, dt * (dt * expectedAcceleration(m, context.invH))};
-}
-
-// How far turning takes any point of the body in the step at most.   [m]
-real turnOf(const Motion& m, const StepContext& context)
-{
-    const real dt = static_cast<real>(context.dt);
-    return dt * m.extent * (absolute(m.spin) + dt * absolute(expectedSpinRate(m, context.invH)));
-}
-
 }  // namespace
 
 // Something about the body has changed that its boxes and manifolds come from.
@@ -44,6 +31,14 @@ void World::Impl::forgetKept(const BodyRow& body)
     pairsAreCurrent = false;
 }
 
+// Where the bodies of some rows go.
+void World::Impl::expectWays(std::size_t begin, std::size_t end, const StepContext& context)
+{
+    const BodyRows rows{motions.rows.data(), solverScratch.rows, static_cast<std::uint32_t>(begin),
+                        static_cast<std::uint32_t>(end)};
+    solverScratch.bodiesFor(motions.rows.size()).expect(rows, motions.centers.data(), context);
+}
+
 // One body: its boxes, from `next` on, which hold those of the step before. Returns whether any of them is
 // another one.
 bool World::Impl::sweepBody(std::size_t row, const StepContext& context, SweepBox* next)
@@ -51,12 +46,14 @@ bool World::Impl::sweepBody(std::size_t row, const StepContext& context, SweepBo
     const Motion& m = motions.rows[row];
     const BodyRow& body = bodies.rows[m.body];
     ReferencePoses::Row& known = references.rows[body.mover];
-    const CenterWay& way = motions.centers[row] = centerWayOf(m, context);
-    const real turn = turnOf(m, context), travel = travelBy(way.glide, way.bend) + turn;
-    const bool keepsManifolds = known.ofManifolds.holds(m, turn);
-    const real width = keepsManifolds ? real(0) : shapes.widthOf(body);
-    if (!keepsManifolds) known.ofManifolds.renew(m, turnRoom(width, context));
+    const auto [turn, travel, freeTravel] = solverScratch.rows.travels[row];
+    motions.centers[row].center = m.center;
+    if (!known.ofManifolds.holds(m, turn)) {
+        known.width = shapes.widthOf(body);
+        known.ofManifolds.renew(m, turnRoom(known.width, context));
+    }
     motions.versions[row] = known.ofManifolds.version;
+    motions.slow[row] = freeTravel <= context.tuning.quiet * context.tuning.restGap * known.width ? 1 : 0;
 
     const bool moves = m.moves() || m.velocity != Vec2{} || m.spin != 0;
     bool keeps = known.ofBoxes.holds(m, travel);
@@ -70,8 +67,7 @@ bool World::Impl::sweepBody(std::size_t row, const StepContext& context, SweepBo
     motions.origins[row] = keeps ? known.ofBoxes.center : m.center;
     if (keeps) return false;
 
-    const real size = width > 0 ? width : shapes.widthOf(body);
-    const real room = (travel < kBoxRoom / 2 * size ? kBoxRoom : kMovingRoom) * size;
+    const real room = (travel < kBoxRoom / 2 * known.width ? kBoxRoom : kMovingRoom) * known.width;
     motions.rooms[row] = room;
     const Trajectory& path = paths.reckon(row, m, true);
     for (const std::uint32_t slot : shapes.of(body)) {
@@ -92,9 +88,9 @@ void World::Impl::sweepStill(std::size_t row, const StepContext& context)
     bodies.moverFor(body);  // a ground that is met for the first time has none yet
     references.rows.resize(bodies.movers.slots());
     ReferenceTurn& turn = references.rows[body.mover].ofManifolds;
-    if (!turn.holds(m, turnOf(m, context))) turn.renew(m, turnRoom(shapes.widthOf(body), context));
+    if (!turn.holds(m, solverScratch.rows.travels[row].turn)) turn.renew(m, turnRoom(shapes.widthOf(body), context));
     motions.versions[row] = turn.version;
-    motions.centers[row] = centerWayOf(m, context);
+    motions.centers[row].center = m.center;
     motions.origins[row] = m.center;
 }
 
@@ -107,6 +103,8 @@ bool World::Impl::sweepBodies(const StepContext& context)
     motions.origins.resize(motions.rows.size());
     motions.centers.resize(motions.rows.size());
     motions.rooms.assign(motions.rows.size(), 0);
+    motions.slow.assign(motions.rows.size(), 0);
+    solverScratch.rows.travels.resize(motions.rows.size());
 
     // By chunk: how many boxes, then where they begin.
     std::vector<std::uint32_t>& firstOf = chunkStarts;
@@ -124,6 +122,7 @@ bool World::Impl::sweepBodies(const StepContext& context)
     boxes.resize(start);
     paths.begin(motions.rows.size(), static_cast<real>(context.dt), context.invH);
     parallel.forEach(motions.parts, kGrain, [&](const Chunk& chunk) {
+        expectWays(chunk.begin, chunk.end, context);
         SweepBox* next = boxes.data() + firstOf[chunk.index];
         for (std::size_t row = chunk.begin; row < chunk.end; ++row) {
             if (sweepBody(row, context, next)) changed.store(true, std::memory_order_relaxed);

@@ -69,7 +69,7 @@ bool World::Impl::rowsAreKept() const
 }
 
 // The warm start of the step before, for the prediction of where bodies go.
-void World::Impl::predictSteady(const StepContext& context)
+void World::Impl::predictSteady()
 {
     addSteadyJoints(joints, jointSystem, motions.rows, 0);
     addSteadyHinges(joints, bodies, jointSystem, motions.rows, 0);
@@ -91,7 +91,6 @@ void World::Impl::predictSteady(const StepContext& context)
             addLoad(load, motionAt(motions.rowOf[bodyA]), motionAt(motions.rowOf[bodyB]));
         }
     }
-    for (Motion& m : motions.rows) limitSteady(m, context);
 }
 
 // The other bodies of the joints of those that take part: grounds get a row, sleepers wake.
@@ -169,7 +168,7 @@ std::uint32_t World::Impl::gather(const ForceField& forces, const StepContext& c
             continue;
         }
         gatherJoints(joints, bodies, motions, jointSystem);
-        predictSteady(context);
+        predictSteady();
         faults = accelerate(motions, bodies, forces, time);
         if (sweepBodies(context)) boxesAreSwept = false;
         if (resting.changes() != restingChanges) pairsAreCurrent = false;
@@ -211,6 +210,9 @@ std::uint32_t World::Impl::gather(const ForceField& forces, const StepContext& c
     motions.origins.resize(motions.rows.size());
     motions.centers.resize(motions.rows.size());
     motions.rooms.resize(motions.rows.size());
+    motions.slow.resize(motions.rows.size());
+    solverScratch.rows.travels.resize(motions.rows.size());
+    expectWays(motions.parts, motions.rows.size(), context);
     for (std::size_t row = motions.parts; row < motions.rows.size(); ++row) sweepStill(row, context);
     noteRows();
     return faults;

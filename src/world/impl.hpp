@@ -244,6 +244,7 @@ struct World::Impl {
 
     // world/boxes.cpp
     void forgetKept(const BodyRow& body);
+    void expectWays(std::size_t begin, std::size_t end, const StepContext& context);
     bool sweepBody(std::size_t row, const StepContext& context, SweepBox* next);
     void sweepStill(std::size_t row, const StepContext& context);
     bool sweepBodies(const StepContext& context);
@@ -251,7 +252,7 @@ struct World::Impl {
     // world/gather.cpp: the bodies of a step, and who may meet.
     void noteRows();
     bool rowsAreKept() const;
-    void predictSteady(const StepContext& context);
+    void predictSteady();
     void gatherPartners();
     void findRestPairs(const ContactWorld& world);
     std::uint32_t gather(const ForceField& forces, const StepContext& context);
