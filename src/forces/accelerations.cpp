@@ -113,6 +113,7 @@ void addLaw(const PlacedLaw& placed, Motion& m, const BodyTable& bodies, double 
 // there.
 real limited(real acceleration, double most)
 {
+    if (static_cast<double>(absolute(acceleration)) <= most) return acceleration;
     if (std::isnan(acceleration)) return 0;  // of two infinite forces against each other
     return static_cast<real>(clamp(static_cast<double>(acceleration), -most, most));
 }
@@ -125,6 +126,12 @@ void accelerateByHeld(Motion& m, const BodyTable& bodies, const ForceField& fiel
     m.spinRate = 0;
     if (!body.isDynamic()) return;
     const Vec2 g = gravityOn(bodies, body, field.gravity);
+    const MoverRow& mover = bodies.mover(body);
+    const bool isHeld = body.extra != BodyRow::kNone || mover.stepForce != Vec2{} || mover.stepTorque != 0;
+    if (!isHeld) {  // mostly
+        m.acceleration = {m.invMass.x > 0 ? g.x : real(0), m.invMass.y > 0 ? g.y : real(0)};
+        return;
+    }
     const Wrench held = heldForces(bodies, body, m);
     const Vec2 force = toVec2(held.force);
     m.acceleration = {(m.invMass.x > 0 ? g.x : real(0)) + m.invMass.x * force.x,

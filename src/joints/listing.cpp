@@ -158,8 +158,9 @@ ListedRow listedRow(const Motion& m)
 
 bool areListed(const JointTable& table, const MotionTable& motions, const JointSystem& system)
 {
-    return !system.isAltered && system.changes == table.changes &&
-           std::equal(system.listed.begin(), system.listed.end(), motions.rows.begin(), motions.rows.end(),
+    if (system.isAltered || system.changes != table.changes) return false;
+    if (table.ids.alive() == 0 && system.ties.empty()) return true;  // whoever takes part
+    return std::equal(system.listed.begin(), system.listed.end(), motions.rows.begin(), motions.rows.end(),
                       [](const ListedRow& listed, const Motion& m) { return listed == listedRow(m); });
 }
 
@@ -167,7 +168,7 @@ bool areListed(const JointTable& table, const MotionTable& motions, const JointS
 void keepLists(JointTable& table, const BodyTable& bodies, const MotionTable& motions, JointSystem& system)
 {
     system.fallbacks = 0;
-    system.groupOf.resize(motions.rows.size());
+    system.groupOf.resize(motions.rows.size(), JointSystem::kNone);
     for (JointRows& joint : system.joints) {
         JointRows fresh;
         static_cast<JointTie&>(fresh) = joint;

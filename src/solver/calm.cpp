@@ -136,16 +136,6 @@ void findCalmRows(const Islands& islands, CalmRows& found)
     found.islands.resize(floating);
 }
 
-void chooseCalmRows(CalmRows& calmRows)
-{
-    const auto choose = [](const auto& from, auto& into) {
-        into.reserve(from.capacity());
-        into.assign(from.begin(), from.end());
-    };
-    choose(calmRows.grounded, calmRows.chosenGrounded);
-    choose(calmRows.floating, calmRows.chosenFloating);
-}
-
 void chooseCalmRows(const std::vector<std::uint8_t>& quiet, bool isQuiet, CalmRows& calmRows)
 {
     const auto choose = [&](const auto& from, auto& into) {

@@ -50,8 +50,7 @@ struct CalmRows {
 };
 void findCalmRows(const Islands& islands, CalmRows& found);
 
-/// Chooses all of them, or those whose bodies are `quiet`, by row, or all others.
-void chooseCalmRows(CalmRows& calmRows);
+/// Chooses those of them whose bodies are `quiet`, by row, or all others.
 void chooseCalmRows(const std::vector<std::uint8_t>& quiet, bool isQuiet, CalmRows& calmRows);
 
 /// Slows loaded bodies that are already slow and not speeding up: against their grounds, or, where their

@@ -12,13 +12,6 @@ namespace {
 // A long tick has fewer passes than many short ones: with one alone, small pyramids quiver twice as often.
 constexpr int kPasses = 3;
 
-// Which bodies what follows is for: quiet ones, or all others.
-void choose(SolverScratch& scratch, bool isQuiet)
-{
-    scratch.visited.choose(scratch.quiet.quiet, isQuiet);
-    chooseCalmRows(scratch.visited.quiet(), isQuiet, scratch.calmRows);
-}
-
 }  // namespace
 
 void tickQuiet(SolverStage& stage, const StepContext& context, ClampCounts& clamps)
@@ -28,7 +21,8 @@ void tickQuiet(SolverStage& stage, const StepContext& context, ClampCounts& clam
     TickRows& lanes = scratch.rows;
     const BodyKernels& bodies = scratch.bodies();
     const StepContext whole = wholeTick(context);
-    choose(scratch, true);
+    scratch.visited.choose(scratch.quiet.quiet, true);
+    chooseCalmRows(scratch.quiet.quiet, true, scratch.calmRows);
     scratch.passes.beginWhole(stage.contacts, scratch.quiet.quiet, context.ticks);
     for (std::uint32_t row = 0; row < rows.size(); ++row)
         if (rows[row].isDamped() && scratch.visited.isQuiet(row)) startDamping(rows[row], whole.h);
@@ -53,7 +47,7 @@ void tickQuiet(SolverStage& stage, const StepContext& context, ClampCounts& clam
     clamps.speed += clamped;
     calm(rows, lanes, scratch.calmRows, bodies, whole, stage.parallel);
     scratch.passes.endWhole(stage.contacts, context.ticks);
-    choose(scratch, false);
+    scratch.visited.choose(scratch.quiet.quiet, false);
 }
 
 }  // namespace tamias2d::inline TAMIAS_PRECISION

@@ -227,7 +227,6 @@ SolverCounts solve(SolverStage& stage, const StepContext& context)
     std::size_t roused = 0;
     startSweeps(impacts, stage.sameContacts ? &stage.renewed : nullptr);
     if (!stage.sameIslands) findCalmRows(stage.islands, scratch.calmRows);
-    chooseCalmRows(scratch.calmRows);
     for (Table<LaneRow>* each :
          {&lanes.starts, &lanes.velocities, &lanes.expected, &lanes.loads, &lanes.pushes})
         each->resize(rows.size());
@@ -245,6 +244,7 @@ SolverCounts solve(SolverStage& stage, const StepContext& context)
     }
     predictWays(impacts, context);
     const bool allAreQuiet = scratch.visited.chunks(rows.size()).empty() && scratch.visited.anyQuiet();
+    if (!allAreQuiet) chooseCalmRows(scratch.visited.quiet(), false, scratch.calmRows);
     for (int tick = 0; tick < context.ticks && !allAreQuiet; ++tick) {
         const ProfileScope tickSpan(stage.profile, "tick");
         ProfileScope span(stage.profile, "forces");

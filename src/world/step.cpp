@@ -304,7 +304,8 @@ StepReport World::Impl::step(double dt, int substeps)
     // Who may rest now.
     span.next("sleep");
     r.touching += asleep.touching;
-    for (const Motion& m : motions.rows) refreshPart(m.body);
+    for (const Motion& m : motions.rows)
+        if (!bodies.rows[m.body].isDynamic() || final.nonFinite > 0) refreshPart(m.body);
     noteMost();
     fallAsleep(context);
 
