@@ -190,8 +190,8 @@ void calm(Motion* motions, const CalmPair* pairs, std::size_t count, TickRows& r
 }  // namespace
 
 template <int W>
-const BodyKernels BodyKernelsOf<W>::kTable = {expect<W>, boundSpeeds<W>,  startTick<W>,      kick<W>,
-                                              drift<W>,        kickAfterDrift<W>, takeSettled<W>,
-                                              driftAndKick<W>, calm<W>,           fly<W>};
+const BodyKernels BodyKernelsOf<W>::kTable = {
+    expect<W>,         boundSpeeds<W>, startTick<W>,    kick<W>, drift<W>,
+    kickAfterDrift<W>, takeSettled<W>, driftAndKick<W>, calm<W>, fly<W>};
 
 }  // namespace tamias2d::inline TAMIAS_PRECISION

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The kernels over bodies with which a step and its ticks begin: what is carried, how far, how fast, who strays.
+// The kernels over bodies with which a step and its ticks begin: what is carried, how far, how fast, who
+// strays.
 #pragma once
 
 #include "contacts/row_kernel.hpp"

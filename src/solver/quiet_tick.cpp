@@ -9,8 +9,18 @@
 namespace tamias2d::inline TAMIAS_PRECISION {
 namespace {
 
-// A long tick has fewer passes than many short ones: with one alone, small pyramids quiver twice as often.
+// A long tick has fewer passes than many short ones: with one alone, small pyramids quiver twice as often. An
+// island is done with what changes none of its speeds by more than so much of Tuning::restless.
 constexpr int kPasses = 3;
+constexpr real kDone = real(1e-4);
+
+StepContext contextOfPasses(const StepContext& whole)
+{
+    StepContext passes = whole;
+    passes.tuning.extraPasses = kPasses - 1;
+    passes.tuning.restless = kDone * whole.tuning.restless;
+    return passes;
+}
 
 }  // namespace
 
@@ -35,8 +45,7 @@ void tickQuiet(SolverStage& stage, const StepContext& context, ClampCounts& clam
         bodies.startTick(run, whole, timeOf(0, whole), strays);
         bodies.kick(run, whole, false);
     });
-    for (int pass = 0; pass < kPasses; ++pass)
-        scratch.passes.solve(stage.contacts, stage.motions, lanes, whole);
+    scratch.passes.solve(stage.contacts, stage.motions, lanes, contextOfPasses(whole));
     scratch.passes.finish(stage.contacts, stage.motions, lanes);
     lanes.pushes.assign(rows.size(), {});
     scratch.passes.pushApart(stage.contacts, stage.motions, lanes, whole, clamps);

@@ -88,7 +88,8 @@ void World::Impl::sweepStill(std::size_t row, const StepContext& context)
     bodies.moverFor(body);  // a ground that is met for the first time has none yet
     references.rows.resize(bodies.movers.slots());
     ReferenceTurn& turn = references.rows[body.mover].ofManifolds;
-    if (!turn.holds(m, solverScratch.rows.travels[row].turn)) turn.renew(m, turnRoom(shapes.widthOf(body), context));
+    if (!turn.holds(m, solverScratch.rows.travels[row].turn))
+        turn.renew(m, turnRoom(shapes.widthOf(body), context));
     motions.versions[row] = turn.version;
     motions.centers[row].center = m.center;
     motions.origins[row] = m.center;
