@@ -275,6 +275,15 @@ TAMIAS_INLINE void solveFrictions(ContactRow<T>& row, int count, NormalChange<T>
     applyAtCenters(row, normal, tangent, a.velocity, b.velocity);
 }
 
+/// By how much a body has got another motion: the center along an axis, or a point so far from it by the
+/// spin.   [m/s]
+template <class T>
+TAMIAS_INLINE T changeBetween(const BodyMotion<T>& before, const BodyMotion<T>& after, T arm)
+{
+    const BasicVec2<T> by = after.velocity - before.velocity;
+    return maximum(maximum(absolute(by.x), absolute(by.y)), arm * absolute(after.spin - before.spin));
+}
+
 /// One pass: normals, then friction. Returns the greatest change of normal speed it made.   [m/s]
 template <class T>
 TAMIAS_INLINE T solveRow(ContactRow<T>& row, int count, BodyMotion<T>& a, BodyMotion<T>& b)

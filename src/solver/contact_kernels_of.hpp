@@ -131,7 +131,7 @@ std::size_t ContactKernels<W>::findNewlyLoaded(const Block* blocks, const Source
 
 template <int W>
 void ContactKernels<W>::pass(Block* blocks, std::size_t count, TickRows& rows, const std::uint8_t* visited,
-                             std::uint8_t* unrest, real restless)
+                             std::uint8_t* unrest, real restless, bool ofAny)
 {
     const Wide limit(restless);
     LaneRow* const velocities = rows.velocities.data();
@@ -163,6 +163,13 @@ void ContactKernels<W>::pass(Block* blocks, std::size_t count, TickRows& rows, c
                 p.normalImpulse = select(mask, p.normalImpulse, old[k].normalImpulse);
                 p.tangentImpulse = select(mask, p.tangentImpulse, old[k].tangentImpulse);
             }
+        }
+        if (ofAny) {
+            const PointRow<Wide>& p = block.row.points[0];
+            change =
+                maximum(change, changeBetween(motionOf(a), motionA, absolute(p.turnA) + absolute(p.slideA)));
+            change =
+                maximum(change, changeBetween(motionOf(b), motionB, absolute(p.turnB) + absolute(p.slideB)));
         }
         setMotion(a, motionA);
         setMotion(b, motionB);

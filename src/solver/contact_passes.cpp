@@ -227,28 +227,38 @@ void ContactPasses::visitColors(OfColor ofColor, OfLoose ofLoose)
 }
 
 void ContactPasses::solve(ContactTable& contacts, MotionTable& motions, TickRows& rows,
-                          const StepContext& context, const JointWorld* world, JointSystem* joints)
+                          const StepContext& context, const Unrest& limit, const JointWorld* world,
+                          JointSystem* joints)
 {
-    const real restless = context.tuning.restless * context.lengthUnit;
     sortLoose();
-    for (int pass = 0; pass <= context.tuning.extraPasses; ++pass) {
+    for (int pass = 0; pass <= limit.extraPasses; ++pass) {
         unrest_.swap(unrestBefore_);
         unrest_.assign(islands_->count(), 0);
         const std::uint8_t* const visited = pass == 0 ? nullptr : unrestBefore_.data();
-        if (joints != nullptr) passOverJoints(*world, *joints, restless, visited, rows.velocities, unrest_);
-        visitColors([&](int color) { lanes_->pass(color, rows, visited, unrest_.data(), restless); },
-                    [&](std::uint32_t i) {
-                        if (piles_.holds(i)) return;
-                        Contact& c = contacts.rows[i];
-                        const std::uint32_t island = islandOf(*islands_, c.rowA, c.rowB);
-                        if (visited != nullptr && visited[island] == 0) return;
-                        Motion &a = motions.rows[c.rowA], &b = motions.rows[c.rowB];
-                        setVelocity(a, velocityOf(rows.velocities[c.rowA]));
-                        setVelocity(b, velocityOf(rows.velocities[c.rowB]));
-                        if (solveContact(c, a, b, context) > restless) unrest_[island] = 1;
-                        setVelocity(rows.velocities[c.rowA], velocityOf(a));
-                        setVelocity(rows.velocities[c.rowB], velocityOf(b));
-                    });
+        if (joints != nullptr)
+            passOverJoints(*world, *joints, limit.restless, visited, rows.velocities, unrest_);
+        visitColors(
+            [&](int color) {
+                lanes_->pass(color, rows, visited, unrest_.data(), limit.restless, limit.ofAny);
+            },
+            [&](std::uint32_t i) {
+                if (piles_.holds(i)) return;
+                Contact& c = contacts.rows[i];
+                const std::uint32_t island = islandOf(*islands_, c.rowA, c.rowB);
+                if (visited != nullptr && visited[island] == 0) return;
+                LaneRow &rowA = rows.velocities[c.rowA], &rowB = rows.velocities[c.rowB];
+                Motion &a = motions.rows[c.rowA], &b = motions.rows[c.rowB];
+                setVelocity(a, velocityOf(rowA));
+                setVelocity(b, velocityOf(rowB));
+                real change = solveContact(c, a, b, context);
+                if (limit.ofAny)
+                    change =
+                        maximum(change, maximum(changeBetween(velocityOf(rowA), velocityOf(a), a.extent),
+                                                changeBetween(velocityOf(rowB), velocityOf(b), b.extent)));
+                if (change > limit.restless) unrest_[island] = 1;
+                setVelocity(rowA, velocityOf(a));
+                setVelocity(rowB, velocityOf(b));
+            });
         const bool left = joints != nullptr && !piles_.empty() &&
                           piles_.pass(0, pass == 0, contacts, *world, *joints, rows.velocities, unrest_);
         if (!left && std::none_of(unrest_.begin(), unrest_.end(), [](std::uint8_t is) { return is != 0; }))

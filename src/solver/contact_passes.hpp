@@ -44,6 +44,8 @@ public:
     /// A tick that stands for so many begins: only contacts of which both bodies are `quiet`, by row, take
     /// part, and carry that many times as much.
     void beginWhole(ContactTable& contacts, const std::vector<std::uint8_t>& quiet, int ticks);
+    /// The passes of that tick, over rows.velocities: up to three, as long as one changes any speed.
+    void solveWhole(ContactTable& contacts, MotionTable& motions, TickRows& rows, const StepContext& whole);
     /// It ends; only all others take part in what follows.
     void endWhole(ContactTable& contacts, int ticks);
     /// A contact that sits out takes part again, when all that it has done in so many ticks to come is yet to
@@ -86,7 +88,11 @@ public:
     /// still changed gets further passes, up to a limit, on its own: its neighbors never notice [ADR19].
     /// Each pass goes over the joints first, if there are any.
     void solve(ContactTable& contacts, MotionTable& motions, TickRows& rows, const StepContext& context,
-               const JointWorld* world = nullptr, JointSystem* joints = nullptr);
+               const JointWorld* world = nullptr, JointSystem* joints = nullptr)
+    {
+        const real restless = context.tuning.restless * context.lengthUnit;
+        solve(contacts, motions, rows, context, {context.tuning.extraPasses, restless, false}, world, joints);
+    }
     /// After them: what they leave restless is solved at once, if that may be; then all is added to the sums
     /// of the step.
     void finish(ContactTable& contacts, const MotionTable& motions, TickRows& rows,
@@ -134,6 +140,15 @@ private:
     Table<Contact> kept_;  // the loose ones, in their order
     StiffPiles piles_;
 
+    // How many more passes than one, over islands of which a pass changed a speed by more [m/s]: one along a
+    // normal, or any.
+    struct Unrest {
+        int extraPasses;
+        real restless;
+        bool ofAny;
+    };
+    void solve(ContactTable& contacts, MotionTable& motions, TickRows& rows, const StepContext& context,
+               const Unrest& limit, const JointWorld* world, JointSystem* joints);
     void findCrushing(const ContactTable& contacts, const MotionTable& motions, const TickRows& rows,
                       const StepContext& context);
     real closing(std::uint32_t contact, const Contact& c, const MotionTable& motions, const TickRows& rows,

@@ -7,22 +7,6 @@
 #include <atomic>
 
 namespace tamias2d::inline TAMIAS_PRECISION {
-namespace {
-
-// A long tick has fewer passes than many short ones: with one alone, small pyramids quiver twice as often. An
-// island is done with what changes none of its speeds by more than so much of Tuning::restless.
-constexpr int kPasses = 3;
-constexpr real kDone = real(1e-4);
-
-StepContext contextOfPasses(const StepContext& whole)
-{
-    StepContext passes = whole;
-    passes.tuning.extraPasses = kPasses - 1;
-    passes.tuning.restless = kDone * whole.tuning.restless;
-    return passes;
-}
-
-}  // namespace
 
 void tickQuiet(SolverStage& stage, const StepContext& context, ClampCounts& clamps)
 {
@@ -45,7 +29,7 @@ void tickQuiet(SolverStage& stage, const StepContext& context, ClampCounts& clam
         bodies.startTick(run, whole, timeOf(0, whole), strays);
         bodies.kick(run, whole, false);
     });
-    scratch.passes.solve(stage.contacts, stage.motions, lanes, contextOfPasses(whole));
+    scratch.passes.solveWhole(stage.contacts, stage.motions, lanes, whole);
     scratch.passes.finish(stage.contacts, stage.motions, lanes);
     lanes.pushes.assign(rows.size(), {});
     scratch.passes.pushApart(stage.contacts, stage.motions, lanes, whole, clamps);

@@ -4,8 +4,15 @@
 #include "contacts/rows.hpp"
 #include "solver/contact_passes.hpp"
 
+#include <limits>
+
 namespace tamias2d::inline TAMIAS_PRECISION {
 namespace {
+
+// A long tick has fewer passes than many short ones: with one alone, small pyramids quiver twice as often. An
+// island is done with a pass that changes no speed by more than a hundred roundings of Tuning::restless.
+constexpr int kPasses = 3;
+constexpr real kDone = 100 * std::numeric_limits<real>::epsilon();
 
 void scale(Contact& c, real factor)
 {
@@ -32,6 +39,13 @@ void ContactPasses::beginWhole(ContactTable& contacts, const std::vector<std::ui
             outLoose_.push_back(i);
         return !takesPart;
     });
+}
+
+void ContactPasses::solveWhole(ContactTable& contacts, MotionTable& motions, TickRows& rows,
+                               const StepContext& whole)
+{
+    const real restless = whole.tuning.restless * whole.lengthUnit;
+    solve(contacts, motions, rows, whole, {kPasses - 1, kDone * restless, true}, nullptr, nullptr);
 }
 
 void ContactPasses::endWhole(ContactTable& contacts, int ticks)
