@@ -48,6 +48,11 @@ inline bool overlaps(const FloatBox& a, const FloatBox& b)
 {
     return a.left <= b.right && b.left <= a.right && a.bottom <= b.top && b.bottom <= a.top;
 }
+inline bool holds(const FloatBox& outer, const FloatBox& inner)
+{
+    return outer.left <= inner.left && inner.right <= outer.right && outer.bottom <= inner.bottom &&
+           inner.top <= outer.top;
+}
 inline FloatBox merged(const FloatBox& a, const FloatBox& b)
 {
     return {minimum(a.left, b.left), minimum(a.bottom, b.bottom), maximum(a.right, b.right),

@@ -11,6 +11,12 @@
 
 namespace tamias2d::inline TAMIAS_PRECISION {
 
+/// Where there is none of what does not move, as of so many changes of that: who stays in there need not ask.
+struct ClearRoom {
+    FloatBox box{1, 1, -1, -1};
+    std::uint32_t of = 0;
+};
+
 /// The boxes of what does not move, for questions of those that do: a few balanced trees. What is added
 /// becomes a tree of its own, together with all trees that are not larger than twice the sum so far; so there
 /// are never more than a logarithm of them, whatever comes in whatever order, and what rests costs nothing.
@@ -43,7 +49,18 @@ public:
         each([&wanted](const FloatBox& b) { return overlaps(b, wanted); }, visit);
     }
 
-    /// The same for the boxes that the segment from `from` to `to` meets, and perhaps a few more.
+    /// Is there such a shape at all?
+    bool anyOverlapping(const Aabb& box) const
+    {
+        bool any = false;
+        const FloatBox wanted = FloatBox::of(box);
+        each([&](const FloatBox& b) { return !any && overlaps(b, wanted); },
+             [&any](std::uint32_t) { any = true; });
+        return any;
+    }
+
+    /// The same as eachOverlapping for the boxes that the segment from `from` to `to` meets, and perhaps a
+    /// few more.
     template <class Visit>
     void eachAlong(Position from, Position to, Visit visit) const
     {

@@ -119,21 +119,51 @@ void World::Impl::gatherPartners()
     for (const std::uint32_t slot : still) addRow(motions, bodies, slot);
 }
 
+// Is nothing near the boxes of a body, by number, that holds still? Who has found that looks again when it
+// leaves the room around them; who has found something looks now and then.
+bool World::Impl::isClear(std::size_t first, std::size_t end)
+{
+    constexpr double kRoom = 3;  // boxes, on all sides
+    constexpr std::uint64_t kNowAndThen = 8;  // steps
+    Aabb all = boxes[first].box;
+    for (std::size_t k = first + 1; k < end; ++k) all = merged(all, boxes[k].box);
+    const std::uint32_t mover = bodies.rows[boxes[first].body].mover;
+    const auto now = static_cast<std::uint32_t>(resting.changes());
+    ClearRoom& known = clearRooms[mover];
+    const bool isOfNow = known.of == now && known.box.left <= known.box.right;
+    if (isOfNow && holds(known.box, FloatBox::of(all))) return true;
+    if (!isOfNow && (steps + mover) % kNowAndThen != 0) return false;
+    const double room = kRoom * maximum(all.upper.x - all.lower.x, all.upper.y - all.lower.y);
+    const Aabb roomy{{all.lower.x - room, all.lower.y - room}, {all.upper.x + room, all.upper.y + room}};
+    const bool isClear = !resting.anyOverlapping(roomy);
+    known = isClear ? ClearRoom{FloatBox::of(roomy), now} : ClearRoom{};
+    return isClear;
+}
+
 // The pairs of boxes that move and of shapes that hold still on their way.
 void World::Impl::findRestPairs(const ContactWorld& world)
 {
     constexpr std::size_t kGrain = 64;
+    clearRooms.resize(bodies.movers.slots());
     foundResting.begin(Parallel::chunksOf(boxes.size(), kGrain));
     parallel.forEach(boxes.size(), kGrain, [&](const Chunk& chunk) {
         std::vector<RestPair>& found = foundResting.of(chunk.index);
-        for (std::size_t k = chunk.begin; k < chunk.end; ++k) {
-            const SweepBox& box = boxes[k];
-            if (!box.moves) continue;
-            resting.eachOverlapping(box.box, [&](std::uint32_t other) {
-                const ShapePair pair{minimum(box.shape, other), maximum(box.shape, other)};
-                if (overlaps(box.box, restingBounds(world, other)) && mayCollide(world, pair))
-                    found.push_back({pair, bodies.rows[shapes.rows[other].body].group});
-            });
+        for (std::size_t first = chunk.begin, end = first; first < chunk.end; first = end) {
+            const std::uint32_t body = boxes[first].body;
+            while (end < chunk.end && boxes[end].body == body) ++end;
+            // A body that two chunks share belongs to neither.
+            const bool isWhole = (first == 0 || boxes[first - 1].body != body) &&
+                                 (end == boxes.size() || boxes[end].body != body);
+            if (isWhole && isClear(first, end)) continue;
+            for (std::size_t k = first; k < end; ++k) {
+                const SweepBox& box = boxes[k];
+                if (!box.moves) continue;
+                resting.eachOverlapping(box.box, [&](std::uint32_t other) {
+                    const ShapePair pair{minimum(box.shape, other), maximum(box.shape, other)};
+                    if (overlaps(box.box, restingBounds(world, other)) && mayCollide(world, pair))
+                        found.push_back({pair, bodies.rows[shapes.rows[other].body].group});
+                });
+            }
         }
     });
 }

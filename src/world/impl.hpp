@@ -129,13 +129,15 @@ struct World::Impl {
     MotionTable motions;
     Table<SweepBox> boxes;
     std::vector<std::uint32_t> chunkStarts;
-    ChunkLists<RestPair> foundResting;          // by chunk of boxes
-    std::vector<ShapePair> restPairs;           // of a box and what holds still
-    std::vector<std::uint32_t> met;             // groups
-    std::vector<std::uint32_t> roused;          // groups
+    std::vector<ClearRoom> clearRooms;  // by number of the MoverRow: around where a body moves
+    bool isClear(std::size_t first, std::size_t end);
+    ChunkLists<RestPair> foundResting;  // by chunk of boxes
+    std::vector<ShapePair> restPairs;  // of a box and what holds still
+    std::vector<std::uint32_t> met;  // groups
+    std::vector<std::uint32_t> roused;  // groups
     SleepScratch sleepScratch;
     std::vector<ShapePair> pairs, foundPairs;
-    ReferencePoses references;                  // of bodies that hardly move
+    ReferencePoses references;  // of bodies that hardly move
 
     // Are the contacts those of `pairs`, and would these be found again for the same boxes? Whoever changes
     // anything but how bodies move says no. And are the boxes those that pairs were looked for among?

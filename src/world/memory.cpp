@@ -61,7 +61,7 @@ MemoryReport World::Impl::memory() const
          room * sizeof(Contact) + bytesOf(asleep.groups)},
         {"bodies in a step", motions.rows.size(), most.motions, motions.rows.capacity(),
          bytesOfAll(bodies.parts, motions.rows, motions.rowOf, motions.versions, motions.origins,
-                    motions.centers, motions.rooms, motions.slow, references.rows, ticks.origins, ticks.poses,
+                    motions.centers, motions.rooms, motions.slow, references.rows, clearRooms, ticks.origins, ticks.poses,
                     ticks.starts, ticks.velocities, ticks.steady, ticks.expected, ticks.loads, ticks.pushes,
                     ticks.changes, ticks.kicks, ticks.travels, ticks.predicted, ticks.ways,
                     solverScratch.impacts.flights) +

@@ -346,4 +346,59 @@ TEST(Kept, StepsGoOnAlikeWhetherOrNotAnybodyAsks)
     EXPECT_GT(repaired, 0u) << "steps in which others came in";
 }
 
+// Who flies through a room that has been found clear does not look what rests there: until something does.
+TEST(Kept, ClearRoomsEndWhereSomethingComesToRest)
+{
+    TRACES("T2", "NFR1", "ADR27");
+    const auto flight = [](World& world) {
+        addGround(world, 0, 2000);
+        return addDisc(world, {-100, 50}, 0.5, {.velocity = vec(20, 0), .restitution = 1});
+    };
+    const auto fly = [](World& world, Body disc) {
+        for (int i = 0; i < 40; ++i) world.step();
+        EXPECT_NEAR(disc.linearVelocity().x, 20, 1e-4);
+    };
+    const auto expectReturn = [](World& world, Body disc, const char* how) {
+        for (int i = 0; i < 15; ++i) world.step();
+        EXPECT_LT(disc.linearVelocity().x, -5) << how;
+        EXPECT_EQ(world.validate(), std::vector<std::string>{}) << how;
+    };
+    {
+        World world(restless(vec(0, 0)));
+        Body disc = flight(world);
+        fly(world, disc);
+        addBox(world, {disc.position().x + 2, 50}, 1, 20, {.type = BodyType::Static, .restitution = 1});
+        expectReturn(world, disc, "a wall is built");
+    }
+    {
+        World world(restless(vec(0, 0)));
+        Body disc = flight(world);
+        Body wall = addBox(world, {0, 500}, 1, 20, {.type = BodyType::Static, .restitution = 1});
+        fly(world, disc);
+        wall.setTransform({disc.position().x + 2, 50}, 0);
+        expectReturn(world, disc, "a wall is moved");
+    }
+    {
+        WorldDef def;
+        def.gravity = vec(0, 0);
+        World world(def);
+        Body disc = flight(world);
+        Body sleeper = addBox(world, {0, 500}, 1, 1, {.restitution = 1});
+        sleeper.setMass({toReal(100), toReal(100), {}});
+        fly(world, disc);
+        sleeper.setTransform({disc.position().x + 2, 50}, 0);
+        sleeper.sleep();
+        expectReturn(world, disc, "something goes to sleep there");
+    }
+    {
+        World world(restless(vec(0, 0)));
+        Body disc = flight(world);
+        fly(world, disc);
+        disc.setTransform({-100, 1.2}, 0);
+        disc.setLinearVelocity(vec(0, -20));
+        for (int i = 0; i < 15; ++i) world.step();
+        EXPECT_GT(disc.linearVelocity().y, 5) << "it is somewhere else";
+    }
+}
+
 }  // namespace tamias2d::test

@@ -24,6 +24,7 @@ std::set<std::uint32_t> foundIn(const RestTrees& trees, const Aabb& box)
     trees.eachOverlapping(box, [&](std::uint32_t shape) {
         EXPECT_TRUE(found.insert(shape).second) << "found twice: " << shape;
     });
+    EXPECT_EQ(trees.anyOverlapping(box), !found.empty());
     return found;
 }
 
