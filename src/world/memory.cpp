@@ -61,9 +61,9 @@ MemoryReport World::Impl::memory() const
          room * sizeof(Contact) + bytesOf(asleep.groups)},
         {"bodies in a step", motions.rows.size(), most.motions, motions.rows.capacity(),
          bytesOfAll(bodies.parts, motions.rows, motions.rowOf, motions.versions, motions.origins,
-                    motions.centers, motions.rooms, motions.slow, references.rows, clearRooms, ticks.origins, ticks.poses,
-                    ticks.starts, ticks.velocities, ticks.steady, ticks.expected, ticks.loads, ticks.pushes,
-                    ticks.changes, ticks.kicks, ticks.travels, ticks.predicted, ticks.ways,
+                    motions.centers, motions.rooms, motions.slow, references.rows, clearRooms, ticks.origins,
+                    ticks.poses, ticks.starts, ticks.velocities, ticks.steady, ticks.expected, ticks.loads,
+                    ticks.pushes, ticks.changes, ticks.kicks, ticks.travels, ticks.predicted, ticks.ways,
                     solverScratch.impacts.flights) +
              paths.bytes() + solverScratch.impacts.paths.bytes()},
         {"boxes and pairs in a step", boxes.size() + pairs.size(), most.boxes + most.pairs,
