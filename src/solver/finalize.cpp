@@ -137,6 +137,7 @@ FinalCounts finalize(SolverScratch& solver, MotionTable& motions, ContactTable& 
             c.touching = touches;
         }
     });
+    scratch.changed.reserve(contacts.rows.capacity());
     scratch.changedLoose.forAll([&](std::uint32_t i) { scratch.changed.push_back(i); });
     const FinalCounts ofLoose = sumOf(ofChunks);
     counts.deepestOverlap = maximum(ofLoose.deepestOverlap, static_cast<double>(ofLanes.deepest));
