@@ -4,6 +4,7 @@
 #pragma once
 
 #include "math/lane.hpp"
+#include "model/contacts.hpp"
 #include "model/motion.hpp"
 
 #include <tamias2d/math/scalar.hpp>
@@ -158,14 +159,9 @@ TAMIAS_INLINE void applyAtCenters(const ContactRow<T>& row, T normal, T tangent,
     b += {row.invMassB.x * impulse.x, row.invMassB.y * impulse.y};
 }
 
-/// What a row carries, on B; A bears the opposite.
+/// What a row carries.
 template <class T>
-struct Carried {
-    BasicVec2<T> impulse;   ///< [N*s]
-    T momentA, momentB;     ///< about the centers   [N*m*s]
-};
-template <class T>
-TAMIAS_INLINE Carried<T> carriedBy(const ContactRow<T>& row, int count)
+TAMIAS_INLINE BasicContactLoad<T> carriedBy(const ContactRow<T>& row, int count)
 {
     const PointRow<T>& p = row.points[0];
     T normal = p.normalImpulse, tangent = p.tangentImpulse;
@@ -185,11 +181,11 @@ TAMIAS_INLINE Carried<T> carriedBy(const ContactRow<T>& row, int count)
 template <class T>
 TAMIAS_INLINE void addCarried(const ContactRow<T>& row, int count, BodyMotion<T>& a, BodyMotion<T>& b)
 {
-    const Carried<T> carried = carriedBy(row, count);
-    a.velocity -= {row.invMassA.x * carried.impulse.x, row.invMassA.y * carried.impulse.y};
-    b.velocity += {row.invMassB.x * carried.impulse.x, row.invMassB.y * carried.impulse.y};
-    a.spin -= row.invInertiaA * carried.momentA;
-    b.spin += row.invInertiaB * carried.momentB;
+    const BasicContactLoad<T> load = carriedBy(row, count);
+    a.velocity -= {row.invMassA.x * load.impulse.x, row.invMassA.y * load.impulse.y};
+    b.velocity += {row.invMassB.x * load.impulse.x, row.invMassB.y * load.impulse.y};
+    a.spin -= row.invInertiaA * load.momentA;
+    b.spin += row.invInertiaB * load.momentB;
 }
 
 /// The arm that setArms was given, but for rounding.   [m]

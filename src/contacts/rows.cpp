@@ -232,10 +232,9 @@ real solveContact(Contact& contact, Motion& a, Motion& b, const StepContext& con
     return change;
 }
 
-void addSteady(const Contact& contact, const Motion& a, const Motion& b, BodyMotion<real>& steadyA,
+void addSteady(const ContactLoad& load, const Motion& a, const Motion& b, BodyMotion<real>& steadyA,
                BodyMotion<real>& steadyB)
 {
-    const ContactLoad load = loadOf(contact);
     steadyA.velocity -= {a.invMass.x * load.impulse.x, a.invMass.y * load.impulse.y};
     steadyA.spin -= a.invInertia * load.momentA;
     steadyB.velocity += {b.invMass.x * load.impulse.x, b.invMass.y * load.impulse.y};
@@ -266,17 +265,18 @@ ContactLoad loadOf(const Contact& contact)
         p.normalImpulse = point.normalImpulse;
         p.tangentImpulse = point.tangentImpulse;
     }
-    const Carried<real> carried = carriedBy(row, contact.count);
-    return {carried.impulse, carried.momentA + contact.rollingImpulse,
-            carried.momentB + contact.rollingImpulse};
+    ContactLoad load = carriedBy(row, contact.count);
+    load.momentA += contact.rollingImpulse;
+    load.momentB += contact.rollingImpulse;
+    return load;
 }
 
 void addLoad(const ContactLoad& load, Motion& a, Motion& b)
 {
-    a.steady -= {a.invMass.x * load.impulse.x, a.invMass.y * load.impulse.y};
-    a.steadySpin -= a.invInertia * load.momentA;
-    b.steady += {b.invMass.x * load.impulse.x, b.invMass.y * load.impulse.y};
-    b.steadySpin += b.invInertia * load.momentB;
+    BodyMotion<real> steadyA{a.steady, a.steadySpin}, steadyB{b.steady, b.steadySpin};
+    addSteady(load, a, b, steadyA, steadyB);
+    a.steady = steadyA.velocity, a.steadySpin = steadyA.spin;
+    b.steady = steadyB.velocity, b.steadySpin = steadyB.spin;
 }
 
 void limitSteady(Motion& m, const StepContext& context)

@@ -84,8 +84,8 @@ void pushContact(Contact& contact, const Motion& a, const Motion& b, BodyMotion<
 void repayPush(Contact& contact, const Motion& a, const Motion& b, Vec2& velocityA, Vec2& velocityB,
                const StepContext& context);
 
-/// Adds the velocity changes of the impulses the contact carries.
-void addSteady(const Contact& contact, const Motion& a, const Motion& b, BodyMotion<real>& steadyA,
+/// Adds the velocity changes by what a contact carries.
+void addSteady(const ContactLoad& load, const Motion& a, const Motion& b, BodyMotion<real>& steadyA,
                BodyMotion<real>& steadyB);
 
 /// Adds what it does in a tick to its sums of the step, so many times.

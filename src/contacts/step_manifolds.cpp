@@ -75,9 +75,12 @@ Nearness nearnessOf(const Contact& c, const Tuning& tuning)
     return linked ? Nearness::Linked : c.count > 0 ? Nearness::Near : Nearness::Apart;
 }
 
-ContactFacts factsOf(const Contact& c)
+void noteFacts(ContactTable& table, std::size_t row, const Tuning& tuning)
 {
-    return {c.rowA, c.rowB, c.versionA, c.versionB, c.between, kManifoldRoom * c.restGap, c.swept};
+    const Contact& c = table.rows[row];
+    table.facts[row] = {c.rowA, c.rowB, c.versionA, c.versionB, c.between, kManifoldRoom * c.restGap,
+                        c.swept};
+    table.nearness[row] = nearnessOf(c, tuning);
 }
 
 void findRenewed(ContactTable& table, bool same, const MotionTable& motions, const StepContext& context,
@@ -95,10 +98,7 @@ void findRenewed(ContactTable& table, bool same, const MotionTable& motions, con
     scratch.needed.assign(motions.rows.size(), 0);
     parallel.forEach(contacts.size(), kPairBatch, [&](const Chunk& chunk) {
         for (std::size_t k = chunk.begin; k < chunk.end; ++k) {
-            if (!same) {
-                facts[k] = factsOf(contacts[k]);
-                table.nearness[k] = nearnessOf(contacts[k], context.tuning);
-            }
+            if (!same) noteFacts(table, k, context.tuning);
             const ContactFacts& of = facts[k];
             scratch.renewed[k] = keepsManifold(of, motions) ? 0 : 1;
             if (scratch.renewed[k] == 0) {
@@ -131,10 +131,7 @@ ManifoldCounts renewManifolds(ContactTable& table, const ShapeTable& shapes, con
             if (scratch.renewed[k] != 0) batch[count++] = &contacts[k];
         updateBatch({batch, count}, shapes, motions, context, paths, counts);
         for (std::size_t k = chunk.begin; k < chunk.end; ++k)
-            if (scratch.renewed[k] != 0) {
-                table.facts[k] = factsOf(contacts[k]);
-                table.nearness[k] = nearnessOf(contacts[k], context.tuning);
-            }
+            if (scratch.renewed[k] != 0) noteFacts(table, k, context.tuning);
     });
 
     ManifoldCounts sum;

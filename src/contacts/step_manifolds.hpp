@@ -39,7 +39,7 @@ ManifoldCounts renewManifolds(ContactTable& contacts, const ShapeTable& shapes, 
 bool isTouching(const Contact& contact, const Tuning& tuning);
 Nearness nearnessOf(const Contact& contact, const Tuning& tuning);
 
-/// What is to be known of a contact beside all that it holds.
-ContactFacts factsOf(const Contact& contact);
+/// What is to be known of a contact beside all that it holds: notes the facts and the nearness of a row.
+void noteFacts(ContactTable& contacts, std::size_t row, const Tuning& tuning);
 
 }  // namespace tamias2d::inline TAMIAS_PRECISION

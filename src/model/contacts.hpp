@@ -75,11 +75,14 @@ struct ContactFacts {
     bool swept;
 };
 
-/// What a contact carries in a tick, on B; A bears the opposite. Four numbers, as lanes write them.
-struct alignas(4 * sizeof(real)) ContactLoad {
-    Vec2 impulse;               // [N*s]
-    real momentA = 0, momentB = 0;   // about the centers   [N*m*s]
+/// What a contact carries in a tick, on B; A bears the opposite. T is real, or a Lane.
+template <class T>
+struct BasicContactLoad {
+    BasicVec2<T> impulse;       // [N*s]
+    T momentA{}, momentB{};     // about the centers   [N*m*s]
 };
+using ContactLoad = BasicContactLoad<real>;
+static_assert(sizeof(ContactLoad) == 4 * sizeof(real), "lanes write them as groups of four");
 
 /// All contacts, sorted by (shapeA, shapeB); those found in mid-step stand at the end until the next. What
 /// the lanes of the solver hold from step to step may be newer than the rows: ContactPasses::tell.

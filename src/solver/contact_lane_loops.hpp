@@ -119,7 +119,6 @@ ContactEndCounts ContactLanesOf<W>::conclude(const TickRows& rows, const StepCon
     ContactEndCounts sum;
     for (const ContactEndCounts& of : ends_) {
         sum.touching += of.touching;
-        sum.changed += of.changed;
         sum.deepest = maximum(sum.deepest, of.deepest);
     }
     return sum;

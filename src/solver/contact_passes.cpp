@@ -28,7 +28,7 @@ void startLoose(Contact& c, const MotionTable& motions, TickRows& rows)
     prepareLoose(c, motions);
     LaneRow &a = rows.steady[c.rowA], &b = rows.steady[c.rowB];
     BodyMotion<real> steadyA = velocityOf(a), steadyB = velocityOf(b);
-    addSteady(c, motions.rows[c.rowA], motions.rows[c.rowB], steadyA, steadyB);
+    addSteady(loadOf(c), motions.rows[c.rowA], motions.rows[c.rowB], steadyA, steadyB);
     bool loaded = false;
     for (int k = 0; k < c.count; ++k) loaded = loaded || c.points[k].wasLoaded;
     a = laneRow(steadyA, loaded ? real(1) : a.w);
@@ -51,6 +51,7 @@ void ContactPasses::tell(ContactTable& contacts)
 
 void ContactPasses::leave(ContactTable& contacts)
 {
+    if (areLeft_) return;
     tell(contacts);
     std::fill(inLane_.begin(), inLane_.end(), std::uint8_t{0});
     areLeft_ = true;

@@ -83,7 +83,7 @@ ContactEndCounts ContactKernels<W>::conclude(Block* blocks, Source* sources, std
         const std::uint32_t linked = touching | (bitsOf(loaded) & block.active);
         const std::uint32_t other = touching ^ source.touching;
         source.touching = touching;
-        const Carried<Wide> carried = carriedBy(block.row, points);
+        const BasicContactLoad<Wide> carried = carriedBy(block.row, points);
         const FourLanes<W> load{carried.impulse.x, carried.impulse.y, carried.momentA, carried.momentB};
         scatterRows<W>(load, ScatteredRows<std::byte>{loads, sizeof(ContactLoad), source.contact},
                        block.active);

@@ -127,8 +127,7 @@ FinalCounts finalize(SolverScratch& solver, MotionTable& motions, ContactTable& 
             Contact& c = contacts.rows[i];
             FinalCounts& ofChunk = ofChunks[chunk.index];
             finalizeContact(c, motions.rows[c.rowA], motions.rows[c.rowB], shapes, context, ofChunk);
-            contacts.facts[i] = factsOf(c);
-            contacts.nearness[i] = nearnessOf(c, context.tuning);
+            noteFacts(contacts, i, context.tuning);
             contacts.loads[i] = loadOf(c);
             const bool touches = isTouching(c, context.tuning);
             ofChunk.touching += touches ? 1 : 0;
