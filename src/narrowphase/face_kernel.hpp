@@ -24,6 +24,10 @@ BasicVec2<T> select(MaskOf<T> condition, BasicVec2<T> a, BasicVec2<T> b)
 /// other, all along it, with the features that are nearest at its start.
 inline constexpr real kSlowest = 16;
 
+/// In rest gaps, how much deeper behind a face than behind the nearest one two that overlap may be for that
+/// face to part them: by more, it lies on the far side, where the way leads through.
+inline constexpr real kThrough = 64;
+
 /// What a face is worth that is `nearest` away over a sweep: of faces that nearly tie, the one along which
 /// the other shape slides.   [m]
 template <class T>

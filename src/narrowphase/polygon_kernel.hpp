@@ -236,7 +236,8 @@ void collidePolygons(const PolygonOnWay<T, N>& a, const PolygonOnWay<T, N>& b, T
     const MaskOf<T> overlaps = (startGap < deep) | grazing;
     const MaskOf<T> presses = (admit >= startGap) & (travel < T(kSlowest) * restGap) & (!turning);
     const MaskOf<T> overlapping = close & (!plain) & (overlaps | presses);
-    const MaskOf<T> forced = overlapping & (!(sagitta >= restGap));
+    const MaskOf<T> through = best.first < startGap - T(kThrough) * restGap;
+    const MaskOf<T> forced = overlapping & (!(sagitta >= restGap)) & (!through);
     if (!any(admitted | forced)) return;
 
     // The manifold on it, at the end where the gap is smaller. Where the edge lies beyond the face at both

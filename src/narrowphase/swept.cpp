@@ -162,6 +162,7 @@ struct Sweep {
 struct SweptFace {
     FaceQuery axis;
     bool smallerAtEnd;
+    real atStart;  // distance [m]
 };
 
 // By face of one core: its distance over the sweep, and what it is worth.
@@ -195,7 +196,7 @@ SweptFace bestFaceOverSweep(const Sweep& s)
     best.distance = (best.onA ? fromA : fromB).least[best.face];
     const real atStart = (best.onA ? first.fromA : first.fromB)[best.face];
     const real atEnd = (best.onA ? last.fromA : last.fromB)[best.face];
-    return {best, atEnd <= atStart + s.preference()};
+    return {best, atEnd <= atStart + s.preference(), atStart};
 }
 
 // A face keeps the two apart all the way: a support manifold, or nothing. Returns true if settled.
@@ -216,7 +217,7 @@ bool settledByOverlap(const Sweep& s, const SweptFace& best, SweptResult& result
     const bool grazing = gap < s.pair.restGap && best.axis.distance > 8 * s.deep && !s.turning;
     const bool overlaps = gap < s.deep || grazing;
     if (!overlaps && !s.presses()) return false;
-    if (s.sagitta >= s.pair.restGap) {
+    if (s.sagitta >= s.pair.restGap || best.atStart < gap - kThrough * s.pair.restGap) {
         result = s.closestAtStart();
         return true;
     }

@@ -49,6 +49,26 @@ TEST(Swept, LookingAheadChangesNoBit)
     }
 }
 
+// A box that lies 7 mm in a wall of half a meter and is about to be pulled right through it: the wall pushes
+// it back, and not on to the far side, as fast and as far as the pull may be.
+TEST(Swept, WhatLiesInAWallIsPartedOnTheSideItCameInBy)
+{
+    TRACES("T5", "R7");
+    const Convex wall = convexOf(makeBox(40, real(0.5))), box = convexOf(makeBox(real(0.5), real(0.2)));
+    for (const double height : {0.349, 0.343, 0.32})  // of the center; 0.35 where they touch
+        for (const double speed : {-1.0, -10.0, -100.0, -1000.0, -5000.0})
+            for (const double aside : {0.0, 3.0, -40.0})
+                for (const double spin : {0.0, 0.5, 30.0}) {
+                    const SweptPair pair{wall, box, path(0, 0, 0, 0, 0, 0),
+                                         path(0.1, height, 0, aside, speed, spin), real(2e-4)};
+                    const SweptResult result = collideSwept(pair, 0, real(1.0 / 60));
+                    ASSERT_TRUE(result.near && result.manifold.count > 0)
+                        << "height " << height << ", speed " << speed << ", spin " << spin;
+                    EXPECT_GT(result.manifold.normal.y, 0.9)
+                        << "height " << height << ", speed " << speed << ", spin " << spin;
+                }
+}
+
 // Whatever two shapes do in a step: if they overlap at any time of it, there is a manifold.
 TEST(Swept, NoPairThatMeetsIsMissed)
 {
