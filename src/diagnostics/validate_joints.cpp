@@ -13,7 +13,7 @@ namespace {
 void validateJointState(const JointRow& j, Faults& faults)
 {
     faults.that(!j.broken || !j.def.enabled, "broken", j.broken, "must not be of a joint that is enabled");
-    faults.range("stiffSteps", j.stiffSteps, 0, 1000, "must be in [0, 1000]");
+    faults.range("stiffSteps", j.stiffSteps, -1000, 1000, "must be in [-1000, 1000]");
     faults.finite("angle", j.angle);
     faults.finite("angleA", j.angleA);
     faults.finite("notch", j.notch);

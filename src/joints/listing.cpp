@@ -189,6 +189,7 @@ void gatherJoints(JointTable& table, const BodyTable& bodies, const MotionTable&
             JointRow& joint = table.rows[tie.joint];
             forgetSums(joint);
             if (joint.stiffSteps > 0) joint.stiffSteps = tie.uneven ? kHold - 1 : joint.stiffSteps - 1;
+            if (joint.stiffSteps < 0) ++joint.stiffSteps;
         }
         return keepLists(table, bodies, motions, system);
     }

@@ -5,6 +5,8 @@
 
 #include <tamias2d/base/config.hpp>
 
+#include <cstddef>
+
 namespace tamias2d::inline TAMIAS_PRECISION {
 
 /// As a spring of a quarter of the tick's frequency and twice the critical damping [eq. 6].
@@ -35,6 +37,7 @@ T giveOf(T mass, T impulse, T h)
 /// do so: by then it would have. What is over sooner is a blow or the correction of an error, and no load.
 inline constexpr real kMostGive = real(1e-3);
 inline constexpr int kLasting = 4;
-inline constexpr int kHold = 30;  // steps for which a group is then solved at once
+inline constexpr int kHold = 30;  // steps for which a group is then solved at once, or is not any more
+inline constexpr std::size_t kFew = 4;  // bodies of which solving at once costs no more
 
 }  // namespace tamias2d::inline TAMIAS_PRECISION

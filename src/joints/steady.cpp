@@ -177,7 +177,7 @@ void keepJoints(JointTable& table, const JointSystem& system, const StepContext&
             if (!held[side]) carried = 0;
         }
         kept.strainedTicks = strained ? minimum(kept.strainedTicks + 1, kLasting) : 0;
-        if (kept.strainedTicks < kLasting) continue;
+        if (kept.strainedTicks < kLasting || kept.stiffSteps < 0) continue;
         kept.stiffSteps = kHold;
         if (hasStiffSize(system, joint.group) && !system.stiffGroups[joint.group]) ++table.changes;
     }

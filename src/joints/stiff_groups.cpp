@@ -10,7 +10,6 @@
 namespace tamias2d::inline TAMIAS_PRECISION {
 namespace {
 
-constexpr std::size_t kFew = 4;       // bodies of which solving at once costs no more
 constexpr std::size_t kFill = 4;      // blocks for each body, likewise
 
 bool isUneven(const JointTie& joint, const Table<Motion>& motions)
@@ -61,19 +60,26 @@ void chooseStiff(JointTable& table, const Table<Motion>& motions, JointSystem& s
             joint.stiffSteps = kHold;
             system.unevenGroups[tie.group] = 1;
         }
+        if (joint.stiffSteps < 0) {
+            ++joint.stiffSteps;
+            system.softenedGroups[tie.group] = 1;
+        }
         if (joint.stiffSteps > 0) {
-            --joint.stiffSteps;
+            if (--joint.stiffSteps == 0) system.isAltered = true;  // the last one
             system.stiffGroups[tie.group] = 1;
         }
     }
     for (std::size_t g = 0; g < groups; ++g) {
         if (bodies[g] <= kFew) system.stiffGroups[g] = 1;
-        if (!hasStiffSize(system, static_cast<std::uint32_t>(g))) system.stiffGroups[g] = 0;
+        if (!hasStiffSize(system, static_cast<std::uint32_t>(g)) || system.softenedGroups[g])
+            system.stiffGroups[g] = 0;
     }
     // Those that count their steps are looked at again in the next one.
-    for (const JointTie& tie : system.ties)
-        if (system.stiffGroups[tie.group] && !tie.uneven && table.rows[tie.joint].stiffSteps > 0)
-            system.isAltered = true;
+    for (const JointTie& tie : system.ties) {
+        const bool counts =
+            system.stiffGroups[tie.group] && !tie.uneven && table.rows[tie.joint].stiffSteps > 0;
+        if (counts || system.softenedGroups[tie.group]) system.isAltered = true;
+    }
 }
 
 void orderStiff(const Table<Motion>& motions, JointSystem& system)

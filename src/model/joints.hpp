@@ -34,7 +34,7 @@ struct CountedAngle {
 struct JointRow {
     JointDef def;                          // as given
     std::uint32_t bodyA = 0, bodyB = 0;    // slots
-    int stiffSteps = 0;                    // for so many steps on its group is solved at once
+    int stiffSteps = 0;  // for so many steps on its group is solved at once; < 0: is not
     int strainedTicks = 0;                 // ticks on end that soft rows would have given way too far
     double angle = 0;                      // of B against A, turns counted, reference taken off   [rad]
     bool broken = false;

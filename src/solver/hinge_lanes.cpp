@@ -297,7 +297,7 @@ void HingeLanesOf<W>::store(const JointSystem& system, JointTable& joints)
             if ((block.active >> lane & 1u) == 0) continue;
             JointRow& joint = joints.rows[source.joint[lane]];
             storeHinge(source, run.angleOf(block), lane, joint);
-            if ((source.stiffened >> lane & 1u) == 0) continue;
+            if ((source.stiffened >> lane & 1u) == 0 || joint.stiffSteps < 0) continue;
             joint.stiffSteps = kHold;
             if (hasStiffSize(system, block.group[lane])) stiffens_[chunk] = 1;
         }

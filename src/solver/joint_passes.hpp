@@ -55,9 +55,9 @@ bool mayThrow(const JointSystem& system);
 
 /// Where a group solved at once is pulled straight, next to nothing holds its rows apart, and it may be
 /// thrown farther than any speed at hand can tell. If it can be projected it will be, by settleLost; else it
-/// is solved softly from here on. `before` and `after` are the velocities of all rows around the passes of a
-/// tick; returns whether these are to be done again.
-bool softenThrown(const JointWorld& world, JointSystem& system, const Table<LaneRow>& before,
+/// is solved softly from here on, and forgets what its joints carry. `before` and `after` are the velocities
+/// of all rows around the passes of a tick; returns whether these are to be done again, from `before`.
+bool softenThrown(const JointWorld& world, JointTable& joints, JointSystem& system, Table<LaneRow>& before,
                   Table<LaneRow>& after);
 
 /// After the second kick: what is tied together does not go on moving apart. Changes lanes.velocities.

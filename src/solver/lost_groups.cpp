@@ -3,6 +3,7 @@
 // docs/theory/joints.md, section 9.
 
 #include "joints/projection.hpp"
+#include "joints/softness.hpp"
 #include "solver/joint_passes.hpp"
 
 #include <tamias2d/math/scalar.hpp>
@@ -47,6 +48,27 @@ void takeBackJoints(const JointWorld& world, const JointSystem& system, const Di
                     pair);
         if (a >= 0) velocities[static_cast<std::size_t>(a)] = pair.va;
         if (b >= 0) velocities[static_cast<std::size_t>(b)] = pair.vb;
+    }
+}
+
+// Rows that others already settle may carry any loads that cancel each other. Let go one by one they would
+// throw the bodies: the group begins without any. It would be thrown again: unless it is small, it is not
+// solved at once for some steps.
+void forgetLoads(JointTable& joints, const Table<Motion>& motions, const JointSystem& system,
+                 const DirectGroup& group, Table<LaneRow>& velocities)
+{
+    for (const std::uint32_t j : group.joints) {
+        const JointRows& joint = system.joints[j];
+        JointRow& carried = joints.rows[joint.joint];
+        const real part = joint.whole ? real(-1) : real(-0.5);
+        BodyPair pair{motions[joint.rowA], motions[joint.rowB], velocityOf(velocities[joint.rowA]),
+                      velocityOf(velocities[joint.rowB])};
+        for (int i = 0; i < joint.count; ++i)
+            applyTo(joint, i, part * carried.impulses[joint.rows[i].slot], pair);
+        if (pair.a.moves()) setVelocity(velocities[joint.rowA], pair.va);
+        if (pair.b.moves()) setVelocity(velocities[joint.rowB], pair.vb);
+        carried.forgetLoads();
+        if (group.rows.size() > kFew) carried.stiffSteps = -kHold;
     }
 }
 
@@ -145,7 +167,7 @@ bool mayThrow(const JointSystem& system)
                        [&](const DirectGroup& group) { return mayBeSoftened(system, group); });
 }
 
-bool softenThrown(const JointWorld& world, JointSystem& system, const Table<LaneRow>& before,
+bool softenThrown(const JointWorld& world, JointTable& joints, JointSystem& system, Table<LaneRow>& before,
                   Table<LaneRow>& after)
 {
     const Table<Motion>& motions = world.motions.rows;
@@ -178,6 +200,7 @@ bool softenThrown(const JointWorld& world, JointSystem& system, const Table<Lane
                 system.joints[group.joints[k]] = system.projection.begun[k];
             continue;
         }
+        forgetLoads(joints, motions, system, group, before);
         soften(system, d);
         thrown = true;
     }

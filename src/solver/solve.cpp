@@ -130,7 +130,7 @@ void passOver(SolverStage& stage, const JointWorld& world)
             startJoints(stage.joints, stage.world.bodies, stage.motions, world.context, stage.system);
         scratch.passes.solve(stage.contacts, stage.motions, scratch.rows, world.context, &world,
                              &stage.system);
-        if (!isWatched || !softenThrown(world, stage.system, scratch.before, velocities)) return;
+        if (!isWatched || !softenThrown(world, stage.joints, stage.system, scratch.before, velocities)) return;
         scratch.passes.restore(stage.contacts);
         velocities = scratch.before;
         for (std::size_t i = 0; i < stage.motions.rows.size(); ++i)
