@@ -37,6 +37,7 @@ void startJoints(const JointTable& table, const BodyTable& bodies, const MotionT
                  const StepContext& context, JointSystem& system)
 {
     for (std::size_t d = 0; d < system.directCount; ++d) system.direct[d].begins = true;
+    system.lostGroups.assign(system.wholeGroups.size(), 0);
     for (JointRows& rows : system.joints) {
         startRows(rows, table.rows[rows.joint], context);
         const auto velocityOf = [&](std::uint32_t row) {

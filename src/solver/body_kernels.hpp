@@ -68,8 +68,8 @@ struct BodyKernels {
     /// is solved once, with its whole load. `kicked`: rows.kicks say something.
     void (*kick)(const BodyRows& bodies, const StepContext& context, bool kicked);
     /// From the passes to the end of the drift: moves bodies along their velocities and pushes, and by what
-    /// damping adds to that. `pushed`: rows.pushes say something.
-    void (*drift)(const BodyRows& bodies, const StepContext& context, bool kicked, bool pushed);
+    /// damping adds to that. `pushed`: rows.pushes say something; `jointed`: rows.turned do.
+    void (*drift)(const BodyRows& bodies, const StepContext& context, bool kicked, bool pushed, bool jointed);
     /// The rest of the kick, at the new place. What contacts have done becomes the expectation for the next
     /// tick. Bounds of speed; returns how many bodies had to be slowed. `jointed`: rows.turned say something,
     /// and are ready for the next tick; rows.velocities are those of now.

@@ -9,6 +9,9 @@
 namespace tamias2d::inline TAMIAS_PRECISION {
 namespace {
 
+// How far what joints tie is turned in a tick by that at most.   [rad]
+inline constexpr real kMostRepaid = real(0.05);
+
 // The spin that takes back the angular momentum which a body gains when contacts change its way by `solved`
 // [m/s] in a tick in which impacts had reckoned with another: their second kicks act a little off their
 // places [GD1].
@@ -28,6 +31,16 @@ TAMIAS_INLINE Lane<W> repaidSpin(const BodyRows& bodies, const FourLanes<W>& mas
     const Wide earlyY = select(loaded, solved.y + half * (steady.y + h * outside.y), solved.y);
     const Wide turn = earlyX * after.y - earlyY * after.x;
     return select(owes, masses.z * h / masses.x * turn, zero);
+}
+
+// Joints have reckoned with the spin that a body had after the passes: what they tie is turned by that but a
+// little.
+template <int W, class Run>
+TAMIAS_INLINE Lane<W> repaidOfTied(Lane<W> repaid, TickRows& rows, const StepContext& context, const Run& run)
+{
+    const Lane<W> most(kMostRepaid * context.invH);
+    const LaneMask<W> tied = load<W>(rows.turned.data(), 0, run).w > Lane<W>(real(0));
+    return select(tied, clamp(repaid, -most, most), repaid);
 }
 
 // No body goes farther in a tick than the fastest may, whatever contacts and joints have asked of it: what
@@ -74,7 +87,8 @@ TAMIAS_INLINE void moveOn(const BodyRows& bodies, FourLanes<W>& rotation, Lane<W
 
 // With the second kick, if `kicks`.
 template <int W, bool kicks>
-std::uint32_t driftAnd(const BodyRows& bodies, const StepContext& context, bool kicked, bool pushed)
+std::uint32_t driftAnd(const BodyRows& bodies, const StepContext& context, bool kicked, bool pushed,
+                       bool jointed)
 {
     using Wide = Lane<W>;
     using Double = DoubleLane<W>;
@@ -90,7 +104,10 @@ std::uint32_t driftAnd(const BodyRows& bodies, const StepContext& context, bool 
         const BasicVec2<Wide> solved{change.x + velocity.x, change.y + velocity.y};
         change = {solved.x + steady.x, solved.y + steady.y, change.z + (velocity.z + steady.z), zero};
         if (!kicks) store<W>(change, rows.changes.data(), 0, run);
-        if (kicked) velocity.z -= repaidSpin(bodies, masses, steady, solved, context, run);
+        if (kicked) {
+            const Wide repaid = repaidSpin(bodies, masses, steady, solved, context, run);
+            velocity.z -= jointed ? repaidOfTied(repaid, rows, context, run) : repaid;
+        }
         holdBack(velocity, most, mostTurn);
         velocity.w = zero;
         if (!kicks) store<W>(velocity, motions, kVelocity, run);
@@ -115,15 +132,15 @@ std::uint32_t driftAnd(const BodyRows& bodies, const StepContext& context, bool 
 }
 
 template <int W>
-void drift(const BodyRows& bodies, const StepContext& context, bool kicked, bool pushed)
+void drift(const BodyRows& bodies, const StepContext& context, bool kicked, bool pushed, bool jointed)
 {
-    driftAnd<W, false>(bodies, context, kicked, pushed);
+    driftAnd<W, false>(bodies, context, kicked, pushed, jointed);
 }
 
 template <int W>
 std::uint32_t driftAndKick(const BodyRows& bodies, const StepContext& context, bool kicked, bool pushed)
 {
-    return driftAnd<W, true>(bodies, context, kicked, pushed);
+    return driftAnd<W, true>(bodies, context, kicked, pushed, false);
 }
 
 // Motion against the grounds, and whether its kinetic energy rises.

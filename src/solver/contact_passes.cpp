@@ -235,7 +235,7 @@ void ContactPasses::solve(ContactTable& contacts, MotionTable& motions, TickRows
     for (int pass = 0; pass <= limit.extraPasses; ++pass) {
         unrest_.swap(unrestBefore_);
         unrest_.assign(islands_->count(), 0);
-        const std::uint8_t* const visited = pass == 0 ? nullptr : unrestBefore_.data();
+        const std::uint8_t* const visited = pass == 0 ? limit.islands : unrestBefore_.data();
         if (joints != nullptr)
             passOverJoints(*world, *joints, limit.restless, visited, rows.velocities, unrest_);
         visitColors(
@@ -260,8 +260,9 @@ void ContactPasses::solve(ContactTable& contacts, MotionTable& motions, TickRows
                 setVelocity(rowA, velocityOf(a));
                 setVelocity(rowB, velocityOf(b));
             });
-        const bool left = joints != nullptr && !piles_.empty() &&
-                          piles_.pass(0, pass == 0, contacts, *world, *joints, rows.velocities, unrest_);
+        const bool left =
+            joints != nullptr && !piles_.empty() &&
+            piles_.pass(0, visited == nullptr, contacts, *world, *joints, rows.velocities, unrest_);
         if (!left && std::none_of(unrest_.begin(), unrest_.end(), [](std::uint8_t is) { return is != 0; }))
             break;
     }
@@ -315,17 +316,33 @@ void ContactPasses::finish(ContactTable& contacts, const MotionTable& motions, T
     if (joints != nullptr && piles_.mayCrush()) findCrushing(contacts, motions, rows, world->context);
     if (joints != nullptr && !list_.empty() && piles_.add(list_, contacts, *joints) > 0) {
         for (std::size_t p = first; p < piles_.count(); ++p)
-            for (const std::uint32_t i : piles_[p].contacts) {
-                if (!isInLane(i)) continue;
-                lanes_->leaveSums(i);
-                loosen(i, contacts, motions);
-            }
+            for (const std::uint32_t i : piles_[p].contacts)
+                if (isInLane(i)) takeOut(i, contacts, motions);
         for (int pass = 0; pass <= world->context.tuning.extraPasses; ++pass)
             if (!piles_.pass(first, pass == 0, contacts, *world, *joints, rows.velocities, unrest_)) break;
         sortLoose();
     }
+}
+
+void ContactPasses::takeOut(std::uint32_t contact, ContactTable& contacts, const MotionTable& motions)
+{
+    if (isInLane(contact)) lanes_->leaveSums(contact);
+    loosen(contact, contacts, motions);
+}
+
+void ContactPasses::solveAgain(ContactTable& contacts, MotionTable& motions, TickRows& rows,
+                               const std::vector<std::uint8_t>& islands, const JointWorld& world,
+                               JointSystem& joints)
+{
+    const Tuning& tuning = world.context.tuning;
+    const Unrest limit{tuning.extraPasses, tuning.restless * world.context.lengthUnit, false, islands.data()};
+    solve(contacts, motions, rows, world.context, limit, &world, &joints);
+}
+
+void ContactPasses::addUp(ContactTable& contacts, const MotionTable& motions, const StepContext& context)
+{
     for (const std::uint32_t i : loose_) addToSums(contacts.rows[i], 1);
-    if (world != nullptr) piles_.forgetBlows(contacts, motions, world->context);
+    piles_.forgetBlows(contacts, motions, context);
 }
 
 const std::vector<std::uint32_t>& ContactPasses::newlyLoaded(const ContactTable& contacts)

@@ -93,10 +93,16 @@ public:
         const real restless = context.tuning.restless * context.lengthUnit;
         solve(contacts, motions, rows, context, {context.tuning.extraPasses, restless, false}, world, joints);
     }
-    /// After them: what they leave restless is solved at once, if that may be; then all is added to the sums
-    /// of the step.
+    /// After them: what they leave restless is solved at once, if that may be.
     void finish(ContactTable& contacts, const MotionTable& motions, TickRows& rows,
                 const JointWorld* world = nullptr, JointSystem* joints = nullptr);
+    /// Further passes, over the `islands` alone, of which contacts or joints ask for something else now.
+    void solveAgain(ContactTable& contacts, MotionTable& motions, TickRows& rows,
+                    const std::vector<std::uint8_t>& islands, const JointWorld& world, JointSystem& joints);
+    /// A contact is about to be changed between passes: it is loose from here on.
+    void takeOut(std::uint32_t contact, ContactTable& contacts, const MotionTable& motions);
+    /// When all have been made: adds what contacts did to the sums of the step.
+    void addUp(ContactTable& contacts, const MotionTable& motions, const StepContext& context);
     /// Then: contacts of which a point carries something that carried nothing as the tick began, in solving
     /// order.
     const std::vector<std::uint32_t>& newlyLoaded(const ContactTable& contacts);
@@ -146,6 +152,7 @@ private:
         int extraPasses;
         real restless;
         bool ofAny;
+        const std::uint8_t* islands = nullptr;  // of the first pass; null: all
     };
     void solve(ContactTable& contacts, MotionTable& motions, TickRows& rows, const StepContext& context,
                const Unrest& limit, const JointWorld* world, JointSystem* joints);

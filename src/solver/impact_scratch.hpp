@@ -88,6 +88,16 @@ struct PairRow {
     real farUntil;  // it meets nowhere in this tick while its bodies have strayed by less, in sum   [m]
 };
 
+/// What is known of bodies that joints turn from the way a tick was begun for: turned_contacts.hpp.
+struct TurnedScratch {
+    std::vector<std::uint8_t> strayed;  // by row: is it one?
+    std::vector<std::uint8_t> wild;  // by island: is a body of it faster than any may be?
+    std::vector<std::uint32_t> contacts;  // that they are turned onto
+    std::vector<std::uint8_t> islands;  // of those, by island
+    std::vector<std::uint32_t> grounds;  // by group of joints: the row of one that it has a contact with
+    std::vector<real> parts;  // by group: how fast it may still go against that, of how fast it would
+};
+
 /// What the impact stage works with; it keeps its memory from step to step.
 struct ImpactScratch {
     explicit ImpactScratch(LaneWidth lanes) : paths(lanes) {}
@@ -100,6 +110,7 @@ struct ImpactScratch {
     Table<Flight> flights;  // by row, of those that
     std::vector<std::uint8_t> flies;  // by row: has its flight through this tick been asked for?
     std::vector<std::uint32_t> strays;  // rows that leave their boxes in this tick
+    TurnedScratch turned;
     int tick = 0;  // the one that has started last
     bool kicked = false;  // has an impact acted in it?
     struct Start {

@@ -29,7 +29,7 @@ void passOverJoints(const JointWorld& world, JointSystem& system, real restless,
     }
     for (JointRows& joint : system.joints) {
         if (!isVisited(joint) || system.piledGroups[joint.group]) continue;
-        if (visited != nullptr) aimJoint(world, velocities, joint);
+        if (visited != nullptr && system.lostGroups[joint.group] == 0) aimJoint(world, velocities, joint);
         if (system.stiffGroups[joint.group]) continue;
         if (visitJoint(joint, motions, velocities) > restless) unrest[islandOf(joint)] = 1;
     }

@@ -4,12 +4,15 @@
 
 #include "solver/solve.hpp"
 
+#include "narrowphase/face_kernel.hpp"
 #include "solver/calm.hpp"
 #include "solver/integrate.hpp"
 #include "solver/joint_passes.hpp"
 #include "solver/pass_hits.hpp"
 #include "solver/tick_sweeps.hpp"
+#include "solver/turned_contacts.hpp"
 
+#include <algorithm>
 #include <atomic>
 
 namespace tamias2d::inline TAMIAS_PRECISION {
@@ -130,7 +133,8 @@ void passOver(SolverStage& stage, const JointWorld& world)
             startJoints(stage.joints, stage.world.bodies, stage.motions, world.context, stage.system);
         scratch.passes.solve(stage.contacts, stage.motions, scratch.rows, world.context, &world,
                              &stage.system);
-        if (!isWatched || !softenThrown(world, stage.joints, stage.system, scratch.before, velocities)) return;
+        if (!isWatched || !softenThrown(world, stage.joints, stage.system, scratch.before, velocities))
+            return;
         scratch.passes.restore(stage.contacts);
         velocities = scratch.before;
         for (std::size_t i = 0; i < stage.motions.rows.size(); ++i)
@@ -138,9 +142,34 @@ void passOver(SolverStage& stage, const JointWorld& world)
     }
 }
 
+// Groups of joints that the passes did not bring to where they go; then contacts that these did not see
+// coming, as joints whirl bodies about, have their say. What still goes deep into a ground after that, or is
+// torn, is slowed down. `before` are the velocities before the passes.
+void settleGroups(ImpactStage& impacts, const JointWorld& world, const Table<LaneRow>& before)
+{
+    constexpr int kRounds = 4;  // each finds the corners that the one before turned the bodies onto
+    JointSystem& system = impacts.system;
+    settleLost(world, system, before, impacts.rows.velocities);
+    int round = 0;
+    while (round < kRounds && aimTurnedContacts(impacts, world.context, 1)) {
+        impacts.passes.solveAgain(impacts.contacts, impacts.motions, impacts.rows,
+                                  impacts.scratch.turned.islands, world, system);
+        ++round;
+    }
+    if (round == kRounds && aimTurnedContacts(impacts, world.context, kThrough))
+        impacts.clamps.speed += stopTurned(impacts);
+    impacts.clamps.speed += slowTorn(impacts, world);
+    const std::vector<std::uint8_t>& lost = system.lostGroups;
+    if (round > 0 && !world.hinges.empty() &&
+        std::find(lost.begin(), lost.end(), std::uint8_t{1}) != lost.end())
+        world.hinges.flatten(lost, impacts.rows, world.context);  // the passes have aimed them anew
+    for (JointRows& joint : system.joints) joint.lost = joint.lost || lost[joint.group] != 0;
+}
+
 // From the passes to the end of the tick: together, unless forces or joints depend on where all bodies are in
 // between. Returns how many bodies were too fast.
-std::uint32_t driftAll(SolverStage& stage, const StepContext& context, bool pushed, bool together)
+std::uint32_t driftAll(SolverStage& stage, const StepContext& context, bool pushed, bool together,
+                       bool jointed)
 {
     SolverScratch& scratch = stage.scratch;
     Table<Motion>& rows = stage.motions.rows;
@@ -150,7 +179,7 @@ std::uint32_t driftAll(SolverStage& stage, const StepContext& context, bool push
         if (together)
             clamped += scratch.bodies().driftAndKick(run, context, kicked, pushed);
         else
-            scratch.bodies().drift(run, context, kicked, pushed);
+            scratch.bodies().drift(run, context, kicked, pushed, jointed);
     });
     return clamped;
 }
@@ -284,8 +313,9 @@ SolverCounts solve(SolverStage& stage, const StepContext& context)
             stage.joints, stage.world.bodies, stage.motions, stage.islands, context, hinges, lanes};
         passOver(stage, jointWorld);
         scratch.passes.finish(stage.contacts, stage.motions, lanes, &jointWorld, &stage.system);
+        if (hasJoints) settleGroups(impacts, jointWorld, scratch.before);
+        scratch.passes.addUp(stage.contacts, stage.motions, context);
         recordPassHits(impacts, context, tick);
-        if (hasJoints) settleLost(jointWorld, stage.system, scratch.before, lanes.velocities);
         if (tick == 0) {
             lanes.pushes.assign(rows.size(), {});
             scratch.passes.pushApart(stage.contacts, stage.motions, lanes, context, counts.clamps,
@@ -294,7 +324,7 @@ SolverCounts solve(SolverStage& stage, const StepContext& context)
 
         span.next("drift");
         const bool together = !varies && !hasJoints;
-        counts.clamps.speed += driftAll(stage, context, tick == 0, together);
+        counts.clamps.speed += driftAll(stage, context, tick == 0, together, hasJoints);
         if (hasJoints) turnJoints(stage, lanes, context);
         if (varies)
             counts.lawFaults += accelerateAfterDrift(stage, context, time + context.dt / context.ticks);

@@ -73,6 +73,71 @@ TEST_P(DraggedChains, AtAThousandMetersASecondStretchByLessThanAHundredth)
     }
 }
 
+struct WallCase {
+    int links, trials;
+    double speed;   // [m/s]
+};
+void PrintTo(const WallCase& c, std::ostream* out)
+{
+    *out << c.links << " links at " << c.speed << " m/s, " << c.trials << " trials";
+}
+
+class ChainsDraggedAtWalls : public testing::TestWithParam<WallCase> {};
+
+// In a room of 40 m by 40 m with walls of 10 cm a target goes 60 m away, beyond the walls, back through the
+// room and as far beyond the other ones. It pulls as hard as it takes: up to ten thousand times the weight.
+TEST_P(ChainsDraggedAtWalls, NeverCrossThem)
+{
+    TRACES("LC3", "ADR7");
+    constexpr double kHalf = 20, kThick = 0.1, kLink = 0.5, kFar = 60;
+    const auto [links, trials, speed] = GetParam();
+    Random random(7);
+    for (int trial = 0; trial < trials; ++trial) {
+        World world;
+        const Body hand = addDisc(world, {1e4, 1e4}, 1, {.type = BodyType::Static});
+        for (const double side : {-1.0, 1.0}) {
+            addBox(world, {0, side * (kHalf + kThick / 2)}, 2 * kHalf + 2 * kThick, kThick,
+                   {.type = BodyType::Static});
+            addBox(world, {side * (kHalf + kThick / 2), 0}, kThick, 2 * kHalf, {.type = BodyType::Static});
+        }
+        const double lay = random.between(0, 2 * kPi), heading = random.between(0, 2 * kPi);
+        const double width = random.between(0.1, 0.3), frequency = random.between(2, 10);
+        std::vector<Body> bodies;
+        const auto at = [&](double way) { return Position{way * std::cos(lay), way * std::sin(lay)}; };
+        for (int i = 0; i < links; ++i) {
+            Body link = addBox(world, at(kLink * i), kLink, width, {.angle = lay});
+            for (Shape shape : link.shapes()) shape.setFilter({1, 1, -1});
+            if (i > 0) world.createJoint(revoluteAt(bodies.back(), link, at(kLink * (i - 0.5))));
+            bodies.push_back(link);
+        }
+        TargetJoint target;
+        target.target = bodies.front().position();
+        target.frequency = toReal(frequency);
+        JointDef def;
+        def.bodyA = hand.id();
+        def.bodyB = bodies.front().id();
+        def.kind = target;
+        Joint drag = world.createJoint(def);
+        const double leg = kFar / speed;
+        double time = 0, farthest = 0;
+        runSeconds(world, 4 * leg + 0.5, 60, 4, [&] {
+            for (const Body& body : bodies) {
+                const Position p = body.position();
+                farthest = std::max({farthest, std::abs(p.x), std::abs(p.y)});
+            }
+            time = std::min(time + 1.0 / 60, 4 * leg);
+            const double way = speed * (time < leg ? time : time < 3 * leg ? 2 * leg - time : time - 4 * leg);
+            drag.setTarget({way * std::cos(heading), way * std::sin(heading)});
+        });
+        EXPECT_LT(farthest, kHalf + kThick) << "trial " << trial;
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(Joints, ChainsDraggedAtWalls,
+                         testing::Values(WallCase{2, 6, 5}, WallCase{2, 40, 300}, WallCase{2, 40, 1000},
+                                         WallCase{8, 3, 5}, WallCase{8, 20, 300}, WallCase{8, 20, 1000},
+                                         WallCase{20, 2, 20}, WallCase{20, 10, 300}, WallCase{20, 10, 1000}));
+
 INSTANTIATE_TEST_SUITE_P(Joints, DraggedChains,
                          testing::Values(DragCase{2, 40}, DragCase{8, 20}, DragCase{20, 6}));
 

@@ -10,8 +10,9 @@ namespace tamias2d::inline TAMIAS_PRECISION {
 /// How often the solver had to limit something in the step. All zero in an ordinary scene: no
 /// limit is ever silent.
 struct ClampCounts {
-    std::uint32_t speed = 0;             ///< bodies held at kMaxSpeed or kMaxSpin, in each tick
-    std::uint32_t position = 0;          ///< bodies stopped at kMaxPosition
+    std::uint32_t speed = 0;  ///< bodies held at kMaxSpeed or kMaxSpin, or, tied by joints and whirled into a
+                              ///< ground, slowed so that they neither cross it nor tear, in each tick
+    std::uint32_t position = 0;  ///< bodies stopped at kMaxPosition
     std::uint32_t push = 0;  ///< contact points whose overlap asked for more than Tuning::pushSpeed
     std::uint32_t impactsPerContact =
         0;  ///< contacts that used all of Tuning::impactsPerContact, in each tick

@@ -148,6 +148,7 @@ TEST(ContactLanes, GiveTheBitsOfVisitingContactsOneByOne)
             passes.prepare(wide.contacts, wide.motions, wide.rows, wide.context);
             passes.solve(wide.contacts, wide.motions, wide.rows, wide.context);
             passes.finish(wide.contacts, wide.motions, wide.rows);
+            passes.addUp(wide.contacts, wide.motions, wide.context);
             endStep(passes, wide);
 
             for (std::size_t i = 0; i < wide.motions.rows.size(); ++i) {
@@ -189,6 +190,7 @@ TEST(ContactLanes, GiveTheSameBitsWithAnyWidth)
                 passes.prepare(heap.contacts, heap.motions, heap.rows, heap.context);
                 passes.solve(heap.contacts, heap.motions, heap.rows, heap.context);
                 passes.finish(heap.contacts, heap.motions, heap.rows);
+                passes.addUp(heap.contacts, heap.motions, heap.context);
                 passes.pushApart(heap.contacts, heap.motions, heap.rows, heap.context, clamps);
             }
             endStep(passes, heap);
@@ -230,6 +232,7 @@ TEST(ContactLanes, SayAtTheEndWhatTheTableWouldSay)
         passes.prepare(heap.contacts, heap.motions, heap.rows, heap.context);
         passes.solve(heap.contacts, heap.motions, heap.rows, heap.context);
         passes.finish(heap.contacts, heap.motions, heap.rows);
+        passes.addUp(heap.contacts, heap.motions, heap.context);
         const Table<Contact> before = heap.contacts.rows;
         const std::vector<std::uint32_t> changed = endStep(passes, heap);
         std::vector<std::uint32_t> touch;

@@ -37,7 +37,7 @@ public:
     {
         kickFirst();
         for (Motion& copy : copies_) copy.steady = {}, copy.steadySpin = 0;  // it touches nothing
-        kernels_.drift(all(), context_, false, false);
+        kernels_.drift(all(), context_, false, false, false);
         kickSecond();
     }
     void kickFirst() { kernels_.kick(all(), context_, false); }
