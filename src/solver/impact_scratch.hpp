@@ -90,7 +90,6 @@ struct PairRow {
 
 /// What is known of bodies that joints turn from the way a tick was begun for: turned_contacts.hpp.
 struct TurnedScratch {
-    std::vector<std::uint8_t> strayed;  // by row: is it one?
     std::vector<std::uint8_t> wild;  // by island: is a body of it faster than any may be?
     std::vector<std::uint32_t> contacts;  // that they are turned onto
     std::vector<std::uint8_t> islands;  // of those, by island

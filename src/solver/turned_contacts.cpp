@@ -26,31 +26,28 @@ public:
     {
     }
 
-    // Which bodies stray so far, and which islands have a wild one. False if none strays.
-    bool findStraying(TurnedScratch& turned) const
+    // Does a body stray so far?
+    bool strays(std::uint32_t row) const
     {
-        std::vector<std::uint8_t>&strays = turned.strayed, &wild = turned.wild;
         const JointSystem& system = stage_.system;
-        bool any = false;
-        strays.assign(stage_.motions.rows.size(), 0);
+        const std::uint32_t group = system.groupOf[row];
+        if (group == JointSystem::kNone) return false;
+        const Motion& m = motion(row);
+        if (!m.moves()) return false;
+        if (system.lostGroups[group] != 0) return true;
+        const BodyMotion<real> now = velocityAt(row), before = velocityOf(stage_.rows.starts[row]);
+        const Vec2 aside = now.velocity - before.velocity;
+        const real shift = absolute(aside.x) + absolute(aside.y);
+        return context_.h * absolute(now.spin) > kMuch || context_.h * shift > kMuch * m.extent;
+    }
+
+    // Which islands have a body that is faster than any may be.
+    void findWild(std::vector<std::uint8_t>& wild) const
+    {
         wild.assign(stage_.islands.count(), 0);
-        for (std::size_t i = 0; i < strays.size(); ++i) {
-            const std::uint32_t group = system.groupOf[i];
-            if (group == JointSystem::kNone) continue;
-            const Motion& m = motion(i);
-            if (!m.moves()) continue;
-            const BodyMotion<real> now = velocityAt(i), before = velocityOf(stage_.rows.starts[i]);
-            if (!isTame(now)) {
+        for (std::size_t i = 0; i < stage_.motions.rows.size(); ++i)
+            if (stage_.system.isTied(i) && motion(i).moves() && !isTame(velocityAt(i)))
                 wild[stage_.islands.islandOf[i]] = 1;
-                continue;
-            }
-            const real aside = length(now.velocity - before.velocity);
-            const bool much = context_.h * absolute(now.spin) > kMuch ||
-                              context_.h * aside > kMuch * m.extent || system.lostGroups[group] != 0;
-            strays[i] = much ? 1 : 0;
-            any = any || much;
-        }
-        return any;
     }
 
     // Aims the contact if it has to be; returns whether it had.
@@ -152,12 +149,16 @@ bool aimTurnedContacts(ImpactStage& stage, const StepContext& context, real rest
 {
     TurnedScratch& turned = stage.scratch.turned;
     TurnedContacts contacts(stage, context, restGaps);
-    if (!contacts.findStraying(turned)) return false;
-    turned.islands.assign(stage.islands.count(), 0);
     turned.contacts.clear();
+    bool any = false;
     for (std::uint32_t i = 0; i < stage.contacts.rows.size(); ++i) {
         const PairRow& pair = stage.scratch.pairs[i];
-        if (turned.strayed[pair.rowA] == 0 && turned.strayed[pair.rowB] == 0) continue;
+        if (!contacts.strays(pair.rowA) && !contacts.strays(pair.rowB)) continue;
+        if (!any) {
+            turned.islands.assign(stage.islands.count(), 0);
+            contacts.findWild(turned.wild);
+        }
+        any = true;
         const std::uint32_t island = islandOf(stage.islands, pair.rowA, pair.rowB);
         if (turned.wild[island] != 0 || !contacts.aim(i)) continue;
         turned.islands[island] = 1;
