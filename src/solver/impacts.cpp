@@ -8,6 +8,7 @@
 #include "contacts/update.hpp"
 #include "solver/impact_pairs.hpp"
 #include "solver/impact_response.hpp"
+#include "solver/tick_sweeps.hpp"
 
 #include <algorithm>
 
@@ -159,10 +160,7 @@ void ImpactSolver::resweep(std::uint32_t i, bool own)
 {
     if (isLoaded(i)) return;
     PairRow& pair = pairRow(i);
-    if (!pair.swept) {
-        pair.swept = contact(i).swept = true;
-        scratch_.swept.push_back(i);
-    }
+    sweepFromNowOn(stage_, i);
     const Flight &a = flight(pair.rowA), &b = flight(pair.rowB);
     const real start = maximum(a.clock, b.clock);
     if (!(start < context_.h) || (own && !turnsOn(i))) return;

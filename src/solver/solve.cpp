@@ -163,7 +163,6 @@ void settleGroups(ImpactStage& impacts, const JointWorld& world, const Table<Lan
     if (round > 0 && !world.hinges.empty() &&
         std::find(lost.begin(), lost.end(), std::uint8_t{1}) != lost.end())
         world.hinges.flatten(lost, impacts.rows, world.context);  // the passes have aimed them anew
-    for (JointRows& joint : system.joints) joint.lost = joint.lost || lost[joint.group] != 0;
 }
 
 // From the passes to the end of the tick: together, unless forces or joints depend on where all bodies are in

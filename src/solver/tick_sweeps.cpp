@@ -130,6 +130,14 @@ void predictWays(ImpactStage& stage, const StepContext& context)
         if (!stage.visited.isQuiet(row)) predictWay(stage, row, context);
 }
 
+void sweepFromNowOn(ImpactStage& stage, std::uint32_t contact)
+{
+    PairRow& pair = stage.scratch.pairs[contact];
+    if (pair.swept) return;
+    pair.swept = stage.contacts.rows[contact].swept = true;
+    stage.scratch.swept.push_back(contact);
+}
+
 void resweepForTick(ImpactStage& stage, const StepContext& context)
 {
     const Table<Way>& ways = stage.rows.ways;

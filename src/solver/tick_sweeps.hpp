@@ -21,6 +21,9 @@ void predictWays(ImpactStage& stage, const StepContext& context);
 /// That of one.
 void predictWay(ImpactStage& stage, std::uint32_t row, const StepContext& context);
 
+/// From the next tick on a pair is swept.
+void sweepFromNowOn(ImpactStage& stage, std::uint32_t contact);
+
 /// Looks again at the swept pairs, over this tick alone: at those that may meet in it, by how they are apart.
 /// docs/theory/contacts.md, section 3.
 void resweepForTick(ImpactStage& stage, const StepContext& context);

@@ -9,6 +9,7 @@
 #include "joints/pose.hpp"
 #include "narrowphase/swept.hpp"
 #include "solver/integrate.hpp"
+#include "solver/tick_sweeps.hpp"
 
 #include <algorithm>
 
@@ -80,7 +81,7 @@ public:
             point.gap -= context_.h * dot(c.normal, speed);
             point.wasLoaded = true;  // what is left of an impact is no impact
         }
-        sweepOn(i);
+        sweepFromNowOn(stage_, i);
         return true;
     }
 
@@ -131,15 +132,6 @@ private:
     real leastGap(const Contact& c) const
     {
         return c.count == 2 ? minimum(c.points[0].gap, c.points[1].gap) : c.points[0].gap;
-    }
-
-    // It is looked at again as the next tick begins.
-    void sweepOn(std::uint32_t i)
-    {
-        PairRow& pair = stage_.scratch.pairs[i];
-        if (pair.swept) return;
-        pair.swept = stage_.contacts.rows[i].swept = true;
-        stage_.scratch.swept.push_back(i);
     }
 };
 
@@ -247,6 +239,7 @@ std::uint32_t stopTurned(ImpactStage& stage)
         turned.parts[group] = 0;
         system.lostGroups[group] = 1;
     }
+    for (JointRows& joint : system.joints) joint.lost = joint.lost || system.lostGroups[joint.group] != 0;
     return slowDown(stage);
 }
 
