@@ -13,10 +13,15 @@ void DirectGroup::build(const std::vector<JointRows>& all, const Table<Motion>& 
             if (motions[row].moves()) rows.push_back(row);
         });
     };
+    const auto sortOut = [&] {
+        std::sort(rows.begin(), rows.end());
+        rows.erase(std::unique(rows.begin(), rows.end()), rows.end());
+    };
     for (const std::uint32_t j : joints) addRowsOf(all[j]);
+    sortOut();
+    const std::size_t tied = rows.size();
     for (const JointRows& contact : contacts) addRowsOf(contact);
-    std::sort(rows.begin(), rows.end());
-    rows.erase(std::unique(rows.begin(), rows.end()), rows.end());
+    if (!contacts.empty()) sortOut();
     const auto nodeOf = [&](std::uint32_t row) {
         if (!motions[row].moves()) return -1;
         return static_cast<int>(std::lower_bound(rows.begin(), rows.end(), row) - rows.begin());
@@ -41,6 +46,9 @@ void DirectGroup::build(const std::vector<JointRows>& all, const Table<Motion>& 
         }
     };
     for (const std::uint32_t j : joints) addNodesOf(all[j]);
+    const bool held = std::any_of(nodes.begin(), nodes.end(),
+                                  [](const BlockLdl::Edge& of) { return of.first < 0 || of.second < 0; });
+    loops = tied > 0 && joints.size() + (held ? 0 : 1) > tied;
     for (const JointRows& contact : contacts) addNodesOf(contact);
     const int count = static_cast<int>(rows.size());
     if (count == analyzedNodes && edges == analyzed) return;

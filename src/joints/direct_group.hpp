@@ -16,6 +16,7 @@ struct DirectGroup {
     std::vector<std::uint32_t> joints;    // places among the JointRows
     std::vector<JointRows> contacts;      // as rows of the tick at hand; none in most groups
     std::vector<BlockLdl::Edge> nodes;  // by joint, then by contact: of its bodies; -1 for one nothing moves
+    bool loops = false;  // do joints tie bodies round, so that their rows may repeat each other?
     double negligible = 0;  // of contacts: how fast they may close   [m/s]
     std::vector<int> moreNodes;  // of those beyond two, likewise, joint by joint
     std::vector<std::size_t> moreFrom;  // by joint: where its own begin there
@@ -30,6 +31,8 @@ struct DirectGroup {
     // Of the solve at hand.
     std::vector<double> start, velocity, step, left, kept;  // three numbers a node
     std::vector<double> impulses, before;  // by joint and row
+    std::vector<std::uint32_t> bearing;  // rows that hold the bodies together: places among the impulses
+    std::vector<double> speeds;  // along these
     std::vector<std::uint16_t> states;  // by joint: at which bounds its rows are
     std::vector<std::uint16_t> factored;  // likewise, of the factors at hand
 

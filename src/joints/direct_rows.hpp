@@ -69,11 +69,15 @@ struct DirectRows {
     void addAlong(std::size_t j, const Jacobian& direction, double amount, std::vector<double>& out) const;
     void addAlongRow(std::size_t j, int i, double amount, std::vector<double>& out) const;
 
-private:
+    /// Where the impulse of a row is, and the reverse.
     static std::size_t placeOf(std::size_t j, int i)
     {
         return j * JointRows::kMost + static_cast<std::size_t>(i);
     }
+    static std::size_t jointAt(std::size_t place) { return place / JointRows::kMost; }
+    static int rowAt(std::size_t place) { return static_cast<int>(place % JointRows::kMost); }
+
+private:
     double speedOfMore(std::size_t j, int i) const;
     void addAlongMore(std::size_t j, int i, double amount, std::vector<double>& out) const;
 };

@@ -47,6 +47,8 @@ public:
     void store(std::vector<BodyMotion<real>>& velocities, real& change);
 
 private:
+    static constexpr int kRepeats = 3;  // of the whole, each from the impulses of the last
+
     // Of each row, two bits.
     enum RowState : unsigned { Free, AtLow, AtHigh, Together };
 
@@ -62,6 +64,12 @@ private:
     double violation();
     bool hasRopes();
     bool soften(const std::vector<BodyMotion<real>>& velocities);
+
+    // direct_loads.cpp: of all impulses that do the same, the least.
+    bool takeLeastLoads();
+    void findBearing();
+    void relax();
+    double partToBounds() const;
 
     // direct_newton.cpp: Newton's method, for one set of impulses before.
     bool converge();

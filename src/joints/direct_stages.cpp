@@ -11,7 +11,6 @@
 namespace tamias2d::inline TAMIAS_PRECISION {
 namespace {
 
-constexpr int kRepeats = 3;     // of the whole, each from the impulses of the last
 constexpr int kMostOfAll = 60;  // steps, where there are contacts: then those do not get harder
 constexpr double kLooseness[] = {1e4, 1e3, 1e2, 1e1, 1};  // times the gammas of contacts, one after the other
 
@@ -23,6 +22,7 @@ bool DirectSolver::solve(const std::vector<BodyMotion<real>>& velocities)
     takeGammas({});
     const bool solved =
         group.contacts.empty() ? repeat(kRepeats) || (hasRopes() && soften(velocities)) : solveContacts();
+    if (solved && group.loops && !takeLeastLoads()) return false;
     return solved && std::all_of(group.velocity.begin(), group.velocity.end(),
                                  [](double v) { return std::isfinite(v); });
 }

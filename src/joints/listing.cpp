@@ -173,6 +173,7 @@ void keepLists(JointTable& table, const BodyTable& bodies, const MotionTable& mo
         JointRows fresh;
         static_cast<JointTie&>(fresh) = joint;
         fresh.rigidly = joint.rigidly;
+        fresh.mildly = joint.mildly;
         joint = fresh;
     }
     for (std::size_t d = 0; d < system.directCount; ++d) system.direct[d].build(system.joints, motions.rows);

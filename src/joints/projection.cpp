@@ -53,7 +53,7 @@ private:
     }
     BodyPair groundAt(std::size_t k);
     BodyPair pairAt(std::size_t k, const std::vector<BodyMotion<real>>& velocities);
-    real returnOf(const ConstraintRow& row) const;
+    real returnOf(const JointRows& rows, const ConstraintRow& row) const;
     real aim();
     real aimJoint(std::size_t k);
     void resistTurning();
@@ -87,11 +87,11 @@ BodyPair GroupProjection::pairAt(std::size_t k, const std::vector<BodyMotion<rea
 }
 
 // How much of its error a row is to take back in the tick.
-real GroupProjection::returnOf(const ConstraintRow& row) const
+real GroupProjection::returnOf(const JointRows& rows, const ConstraintRow& row) const
 {
     const real most = kReturn * (row.angular ? real(1) : context_.lengthUnit) * context_.h;
     const real error = row.kind == RowKind::Limit ? minimum(row.error, real(0)) : row.error;
-    return clamp(error, -most, most);
+    return clamp(rows.mildly ? kMildFade * error : error, -most, most);
 }
 
 // Asks all rows for what is left of their errors where the bodies are aimed at; returns the greatest, as a
@@ -133,7 +133,7 @@ real GroupProjection::aimJoint(std::size_t k)
             continue;
         }
         const bool open = row.kind == RowKind::Limit && row.error > 0;
-        const real kept = open ? real(0) : row.error - returnOf(row);
+        const real kept = open ? real(0) : row.error - returnOf(rows, row);
         const real error = ahead.rows[i].error - kept;
         const bool holds = row.kind == RowKind::Rigid || error < 0 || impulse(k, i) > 0;
         if (holds) most = maximum(most, row.angular ? absolute(error) : absolute(error) / reach);
@@ -271,7 +271,7 @@ double GroupProjection::allowance()
                 static_cast<double>(impulse(k, i)) * static_cast<double>(isPassive(row) ? -ofGround : speed);
             if (!isPassive(row)) continue;
             const real reach = row.angular ? rows.reach : real(1);
-            returned += static_cast<double>(absolute(returnOf(row)) * reach * context_.invH);
+            returned += static_cast<double>(absolute(returnOf(rows, row)) * reach * context_.invH);
         }
     }
     for (const std::uint32_t row : group_.rows) {

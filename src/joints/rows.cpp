@@ -42,7 +42,7 @@ real fadeOf(const JointRows& joint, int i, const StepContext& context)
 {
     const ConstraintRow& row = joint.rows[i];
     const bool open = row.kind == RowKind::Limit && row.error > 0;
-    const real part = joint.visits[i].soft ? Softness::kFade : real(1);
+    const real part = joint.visits[i].soft ? Softness::kFade : joint.mildly ? kMildFade : real(1);
     const real most = kReturn * (row.angular ? real(1) : context.lengthUnit);
     const real fade = part * row.error * context.invH;
     return open ? fade : clamp(fade, -most, most);

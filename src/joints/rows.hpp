@@ -96,6 +96,7 @@ struct JointRows : JointTie {
     static constexpr int kMost = ConstraintRows::kMostRows;
 
     bool rigidly = false;  // one visit settles it: alone in its group, or solved with it at once
+    bool mildly = false;  // what has come apart comes back slowly
     bool lost = false;                   // the passes did not find where it goes in this tick
     bool whole = false;  // solved once a tick: a body of the group bears a contact's load
     int count = 0, rigid = 0;

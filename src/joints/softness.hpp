@@ -21,6 +21,8 @@ struct Softness {
 
 /// What has come apart, as by hand, comes back no faster than this.   [lengthUnit/s] or [rad/s]
 inline constexpr real kReturn = 20;
+/// Of an error, in a tick, where loops tie many bodies that are solved at once: more would do work.
+inline constexpr real kMildFade = real(1.0 / 64);
 
 /// Springs that swing faster than this in a tick are damped by it rather than followed [eq. 9].   [rad]
 inline constexpr real kFastSpring = 1;

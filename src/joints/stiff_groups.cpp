@@ -33,6 +33,14 @@ bool fillsUp(const DirectGroup& group)
     return group.matrix.fill() > kFill * group.rows.size();
 }
 
+// Where loops tie many bodies errors come back slowly. What rows of one's own repeat nobody knows.
+void markMild(JointSystem& system, const DirectGroup& group)
+{
+    if (!group.loops || group.rows.size() <= kFew) return;
+    if (system.ownGroups[system.joints[group.joints.front()].group] != 0) return;
+    for (const std::uint32_t j : group.joints) system.joints[j].mildly = true;
+}
+
 }  // namespace
 
 void chooseStiff(JointTable& table, const Table<Motion>& motions, JointSystem& system)
@@ -109,8 +117,11 @@ void orderStiff(const Table<Motion>& motions, JointSystem& system)
         ++kept;
     }
     system.directCount = kept;
-    for (JointRows& rows : system.joints)
+    for (JointRows& rows : system.joints) {
         rows.rigidly = system.members[rows.group] == 1 || system.stiffGroups[rows.group];
+        rows.mildly = false;
+    }
+    for (std::size_t d = 0; d < kept; ++d) markMild(system, system.direct[d]);
 }
 
 bool hasStiffSize(const JointSystem& system, std::uint32_t group)
@@ -169,13 +180,14 @@ bool stiffen(JointSystem& system, const Table<Motion>& motions, std::uint32_t gr
     ++system.directCount;
     system.stiffGroups[group] = 1;
     for (const std::uint32_t j : direct.joints) system.joints[j].rigidly = true;
+    markMild(system, direct);
     return true;
 }
 
 void soften(JointSystem& system, std::size_t direct)
 {
     for (const std::uint32_t j : system.direct[direct].joints) {
-        system.joints[j].rigidly = false;
+        system.joints[j].rigidly = system.joints[j].mildly = false;
         system.stiffGroups[system.joints[j].group] = 0;
         system.softenedGroups[system.joints[j].group] = 1;
     }

@@ -54,6 +54,7 @@ struct JointSystem {
     std::size_t directCount = 0;
     std::vector<std::uint8_t> lostGroups;    // by group: did not find where it goes in this tick
     std::vector<std::uint8_t> thrownGroups;    // by group: by the passes of this tick
+    std::vector<std::uint8_t> anewGroups;    // by group: whose passes begin once more, without loads
     std::vector<std::uint8_t> outgrownGroups, tornGroups;  // by group, scratch
     std::vector<std::uint8_t> wholeGroups;   // by group: solved once a tick
     std::vector<std::uint8_t> touchedGroups;  // by group: by a contact, in this tick
@@ -85,6 +86,11 @@ struct JointSystem {
         return joints[direct[place].joints.front()].group;
     }
     bool isTied(std::size_t row) const { return groupOf[row] != kNone; }
+    /// Has the body more moment of inertia in this tick than its own?
+    bool isGuarded(std::uint32_t row, const Motion& motion) const
+    {
+        return isTied(row) && motion.invInertia != ownInvInertia[row];
+    }
 };
 
 /// Masses so far apart that visits one by one do not settle what ties two bodies: one is so many times the

@@ -163,9 +163,16 @@ void ContactPasses::fillLanes(ContactTable& contacts, const MotionTable& motions
 }
 
 void ContactPasses::prepare(ContactTable& contacts, const MotionTable& motions, TickRows& rows,
-                            const StepContext& context)
+                            const StepContext& context, const JointSystem* joints)
 {
     fillLanes(contacts, motions, rows);
+    if (joints != nullptr && !joints->guarded.empty()) {
+        const auto isGuarded = [&](std::uint32_t row) { return joints->isGuarded(row, motions.rows[row]); };
+        for (std::uint32_t i = 0; i < contacts.rows.size(); ++i) {
+            const Contact& c = contacts.rows[i];
+            if (isInLane(i) && (isGuarded(c.rowA) || isGuarded(c.rowB))) take(i, contacts);
+        }
+    }
     rows.steady.assign(motions.rows.size(), {});
     list_.clear();
     for (std::size_t p = 0; p < piles_.count(); ++p)

@@ -65,9 +65,10 @@ public:
     /// Starts a tick: arms, gaps and masses at the present poses, and the velocity changes of what the
     /// contacts carry, in rows.steady; what carries a load now is loaded for the tick. They are taken with
     /// the arms of the present poses: carried over from the tick before, impulses at points that slide would
-    /// change the angular momentum of the whole.
+    /// change the angular momentum of the whole. Those of bodies that `joints` guard are loose: lanes know
+    /// the own moments of inertia.
     void prepare(ContactTable& contacts, const MotionTable& motions, TickRows& rows,
-                 const StepContext& context);
+                 const StepContext& context, const JointSystem* joints = nullptr);
 
     /// Contacts that an impact may end in this tick. No body has a point that is faster than `fastest` [m/s].
     const std::vector<std::uint32_t>& approaching(const TickRows& rows, const StepContext& context,

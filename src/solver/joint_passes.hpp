@@ -6,6 +6,7 @@
 #include "joints/tick.hpp"
 #include "solver/calm.hpp"
 #include "solver/hinge_lanes.hpp"
+#include "solver/tick_energy.hpp"
 #include "solver/tick_rows.hpp"
 
 #include <vector>
@@ -21,6 +22,7 @@ struct JointWorld {
     const StepContext& context;
     HingeLanes& hinges;
     TickRows& rows;
+    std::vector<TickEnergy>& energies;  // by island, scratch
 };
 
 /// One visit to a joint; returns the greatest change of speed it made.   [m/s]
@@ -45,20 +47,9 @@ void passOverJoints(const JointWorld& world, JointSystem& system, real restless,
 void settleLost(const JointWorld& world, JointSystem& system, const Table<LaneRow>& before,
                 Table<LaneRow>& velocities);
 
-/// What motors may add to the speeds of a group at most.   [m/s]
-real driveOf(const JointSystem& system, const DirectGroup& group);
-/// The fastest point of bodies that nothing can push.   [m/s]
-real drivenSpeed(const Table<Motion>& motions);
-
-/// Is there a group that softenThrown looks at?
-bool mayThrow(const JointSystem& system);
-
-/// Where a group solved at once is pulled straight, next to nothing holds its rows apart, and it may be
-/// thrown farther than any speed at hand can tell. If it can be projected it will be, by settleLost; else it
-/// is solved softly from here on, and forgets what its joints carry. `before` and `after` are the velocities
-/// of all rows around the passes of a tick; returns whether these are to be done again, from `before`.
-bool softenThrown(const JointWorld& world, JointTable& joints, JointSystem& system, Table<LaneRow>& before,
-                  Table<LaneRow>& after);
+/// Projects a group, from velocities around the passes of a tick, or leaves it as if it had no joints.
+bool project(const JointWorld& world, JointSystem& system, DirectGroup& group, const Table<LaneRow>& before,
+             Table<LaneRow>& velocities);
 
 /// After the second kick: what is tied together does not go on moving apart. Changes lanes.velocities.
 void settleJoints(JointSystem& system, HingeLanes& hinges, const Table<Motion>& rows, TickRows& lanes,

@@ -51,47 +51,6 @@ void takeBackJoints(const JointWorld& world, const JointSystem& system, const Di
     }
 }
 
-// Rows that others already settle may carry any loads that cancel each other. Let go one by one they would
-// throw the bodies: the group begins without any. It would be thrown again: unless it is small, it is not
-// solved at once for some steps.
-void forgetLoads(JointTable& joints, const Table<Motion>& motions, const JointSystem& system,
-                 const DirectGroup& group, Table<LaneRow>& velocities)
-{
-    for (const std::uint32_t j : group.joints) {
-        const JointRows& joint = system.joints[j];
-        JointRow& carried = joints.rows[joint.joint];
-        const real part = joint.whole ? real(-1) : real(-0.5);
-        BodyPair pair{motions[joint.rowA], motions[joint.rowB], velocityOf(velocities[joint.rowA]),
-                      velocityOf(velocities[joint.rowB])};
-        for (int i = 0; i < joint.count; ++i)
-            applyTo(joint, i, part * carried.impulses[joint.rows[i].slot], pair);
-        if (pair.a.moves()) setVelocity(velocities[joint.rowA], pair.va);
-        if (pair.b.moves()) setVelocity(velocities[joint.rowB], pair.vb);
-        carried.forgetLoads();
-        if (group.rows.size() > kFew) carried.stiffSteps = -kHold;
-    }
-}
-
-// Projects a group, or leaves it as if it had no joints.
-bool project(const JointWorld& world, JointSystem& system, DirectGroup& group, const Table<LaneRow>& before,
-             Table<LaneRow>& velocities)
-{
-    if (!mayBeProjected(system, group)) return false;
-    std::vector<BodyMotion<real>>& own = system.velocities;
-    takeBackJoints(world, system, group, before, velocities, own);
-    const bool found =
-        projectGroup(world.joints, world.bodies, world.motions, world.context, system, group, own);
-    for (std::size_t n = 0; n < group.rows.size(); ++n) setVelocity(velocities[group.rows[n]], own[n]);
-    if (found) return true;
-    group.begins = true;
-    for (const std::uint32_t j : group.joints) {
-        JointRows& joint = system.joints[j];
-        joint.turnMass = 0;
-        for (RowVisit& visit : joint.visits) visit.impulse = 0;
-    }
-    return false;
-}
-
 // Which groups the passes did not settle: there, what joints aim at still changes, or loads came up that the
 // tick was not begun for.
 void findLost(const JointWorld& world, const Table<LaneRow>& velocities, JointSystem& system)
@@ -121,21 +80,26 @@ void findLost(const JointWorld& world, const Table<LaneRow>& velocities, JointSy
     for (JointRows& joint : system.joints) joint.lost = lost[joint.group] != 0;
 }
 
-// Of the fastest point of a body.
-real speedOf(const Motion& m, const LaneRow& velocity)
-{
-    return length(Vec2{velocity.x, velocity.y}) + absolute(velocity.z) * m.extent;
-}
-
-// Soft rows cannot be trusted with uneven masses.
-bool mayBeSoftened(const JointSystem& system, const DirectGroup& group)
-{
-    if (group.rows.empty()) return false;
-    const std::uint32_t of = system.joints[group.joints.front()].group;
-    return !system.unevenGroups[of] && !system.piledGroups[of];
-}
-
 }  // namespace
+
+bool project(const JointWorld& world, JointSystem& system, DirectGroup& group, const Table<LaneRow>& before,
+             Table<LaneRow>& velocities)
+{
+    if (!mayBeProjected(system, group)) return false;
+    std::vector<BodyMotion<real>>& own = system.velocities;
+    takeBackJoints(world, system, group, before, velocities, own);
+    const bool found =
+        projectGroup(world.joints, world.bodies, world.motions, world.context, system, group, own);
+    for (std::size_t n = 0; n < group.rows.size(); ++n) setVelocity(velocities[group.rows[n]], own[n]);
+    if (found) return true;
+    group.begins = true;
+    for (const std::uint32_t j : group.joints) {
+        JointRows& joint = system.joints[j];
+        joint.turnMass = 0;
+        for (RowVisit& visit : joint.visits) visit.impulse = 0;
+    }
+    return false;
+}
 
 void settleLost(const JointWorld& world, JointSystem& system, const Table<LaneRow>& before,
                 Table<LaneRow>& velocities)
@@ -158,77 +122,6 @@ void settleLost(const JointWorld& world, JointSystem& system, const Table<LaneRo
         if (lost[group] == 0) continue;
         visitGroup(system.direct[d], system, world.motions.rows, velocities);
     }
-}
-
-bool mayThrow(const JointSystem& system)
-{
-    return std::any_of(system.direct.begin(),
-                       system.direct.begin() + static_cast<std::ptrdiff_t>(system.directCount),
-                       [&](const DirectGroup& group) { return mayBeSoftened(system, group); });
-}
-
-bool softenThrown(const JointWorld& world, JointTable& joints, JointSystem& system, Table<LaneRow>& before,
-                  Table<LaneRow>& after)
-{
-    const Table<Motion>& motions = world.motions.rows;
-    const Islands& islands = world.islands;
-    const StepContext& context = world.context;
-    constexpr real kThrown = 4;  // times the fastest so far: more than a whip gains in a tick
-    std::vector<real>& fastest = system.fastest;
-    fastest.assign(islands.count(), 0);
-    real driven = 0;  // of bodies that nothing can push
-    for (std::size_t i = 0; i < motions.size(); ++i) {
-        const std::uint32_t island = islands.islandOf[i];
-        real& most = island == Islands::kNone ? driven : fastest[island];
-        most = maximum(most, speedOf(motions[i], before[i]));
-    }
-    bool thrown = false;
-    for (std::size_t d = system.directCount; d-- > 0;) {
-        DirectGroup& group = system.direct[d];
-        const std::uint32_t of = system.groupOfDirect(d);
-        if (!mayBeSoftened(system, group) || system.thrownGroups[of] != 0) continue;
-        const std::uint32_t island = islands.islandOf[group.rows.front()];
-        const real known = (island == Islands::kNone ? real(0) : fastest[island]) + driven;
-        const real bound = kThrown * (known + driveOf(system, group)) + context.lengthUnit;
-        const bool within = std::all_of(group.rows.begin(), group.rows.end(), [&](std::uint32_t row) {
-            return speedOf(motions[row], after[row]) <= bound;
-        });
-        if (within) continue;
-        if (!system.wholeGroups[of] && project(world, system, group, before, after)) {
-            system.thrownGroups[of] = 1;  // for when all passes are over
-            for (std::size_t k = 0; k < group.joints.size(); ++k)
-                system.joints[group.joints[k]] = system.projection.begun[k];
-            continue;
-        }
-        forgetLoads(joints, motions, system, group, before);
-        soften(system, d);
-        thrown = true;
-    }
-    return thrown;
-}
-
-real driveOf(const JointSystem& system, const DirectGroup& group)
-{
-    real sum = 0;
-    for (const std::uint32_t j : group.joints) {
-        const JointRows& joint = system.joints[j];
-        for (int i = 0; i < joint.count; ++i) {
-            const ConstraintRow& row = joint.rows[i];
-            const RowVisit& visit = joint.visits[i];
-            const real pushed =
-                row.kind == RowKind::Spring ? row.mass * minimum(absolute(visit.push), visit.high) : real(0);
-            sum += (absolute(row.speed) + pushed) * (row.angular ? joint.reach : real(1));
-        }
-    }
-    return sum;
-}
-
-real drivenSpeed(const Table<Motion>& motions)
-{
-    real most = 0;
-    for (const Motion& m : motions)
-        if (!m.moves()) most = maximum(most, length(m.velocity) + absolute(m.spin) * m.extent);
-    return most;
 }
 
 }  // namespace tamias2d::inline TAMIAS_PRECISION

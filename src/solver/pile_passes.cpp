@@ -7,6 +7,8 @@
 
 #include <tamias2d/math/scalar.hpp>
 
+#include <algorithm>
+
 namespace tamias2d::inline TAMIAS_PRECISION {
 namespace {
 
@@ -55,6 +57,7 @@ void StiffPiles::start(StiffPile& pile, const ContactTable& contacts, const Join
                                                    world.context, pile.places));
     }
     pile.group.build(joints.joints, motions);
+    for (const std::uint32_t j : pile.group.joints) joints.joints[j].mildly = pile.group.loops;
 }
 
 real StiffPiles::visit(StiffPile& pile, ContactTable& contacts, const JointWorld& world, JointSystem& joints,
@@ -93,11 +96,24 @@ bool StiffPiles::isThrown(const StiffPile& pile, const std::vector<BodyMotion<re
     real fastest = 0;
     for (std::size_t n = 0; n < before.size(); ++n)
         fastest = maximum(fastest, speedOf(before[n], pile.group.rows[n]));
-    fastest += drivenSpeed(motions) + driveOf(joints, pile.group);
+    const real drive = drivenSpeed(motions) + driveOf(joints, pile.group);
+    fastest += drive;
     for (std::size_t n = 0; n < own_.size(); ++n)
         if (!(speedOf(own_[n], pile.group.rows[n]) <= kThrown * fastest + world.context.lengthUnit))
             return true;
-    return false;
+    const auto isUneven = [&](std::uint32_t j) { return joints.joints[j].uneven; };
+    if (!pile.group.loops || std::any_of(pile.group.joints.begin(), pile.group.joints.end(), isUneven))
+        return false;
+    TickEnergy energy{.drive = drive};
+    for (const JointRows& contact : pile.group.contacts)
+        for (int i = 0; i < contact.count; ++i)
+            if (contact.rows[i].pressedBy != 0)
+                energy.drive = maximum(energy.drive, drive + absolute(contact.visits[i].bias));
+    for (std::size_t n = 0; n < own_.size(); ++n) {
+        const std::uint32_t row = pile.group.rows[n];
+        energy.add(world.rows, motions[row], row, own_[n]);
+    }
+    return energy.isMade(world.context, true);
 }
 
 // No solution: what is tied and touches is visited one by one, softly, for the rest of the step, and not
@@ -117,7 +133,7 @@ real StiffPiles::disband(StiffPile& pile, ContactTable& contacts, const JointWor
         joints.isAltered = true;
         for (std::size_t d = joints.directCount; joints.stiffGroups[joint.group] && d-- > 0;)
             if (joints.joints[joints.direct[d].joints.front()].group == joint.group) soften(joints, d);
-        joint.rigidly = false;
+        joint.rigidly = joint.mildly = false;
         aimJoint(world, velocities, joint);
         change = maximum(change, visitJoint(joint, motions, velocities));
     }

@@ -118,30 +118,6 @@ std::uint32_t accelerateAfterDrift(SolverStage& stage, const StepContext& contex
     return faults;
 }
 
-// All passes of a tick. Where they throw a group of joints that is solved at once, they are done again
-// without that.
-void passOver(SolverStage& stage, const JointWorld& world)
-{
-    SolverScratch& scratch = stage.scratch;
-    Table<LaneRow>& velocities = scratch.rows.velocities;
-    const bool isWatched = mayThrow(stage.system);
-    if (mayProject(stage.system)) scratch.before = velocities;
-    stage.system.thrownGroups.assign(stage.system.wholeGroups.size(), 0);
-    if (isWatched) scratch.passes.keep(stage.contacts);
-    for (;;) {
-        if (!stage.system.empty())
-            startJoints(stage.joints, stage.world.bodies, stage.motions, world.context, stage.system);
-        scratch.passes.solve(stage.contacts, stage.motions, scratch.rows, world.context, &world,
-                             &stage.system);
-        if (!isWatched || !softenThrown(world, stage.joints, stage.system, scratch.before, velocities))
-            return;
-        scratch.passes.restore(stage.contacts);
-        velocities = scratch.before;
-        for (std::size_t i = 0; i < stage.motions.rows.size(); ++i)
-            setVelocity(stage.motions.rows[i], velocityOf(velocities[i]));
-    }
-}
-
 // Groups of joints that the passes did not bring to where they go; then contacts that these did not see
 // coming, as joints whirl bodies about, have their say. What still goes deep into a ground after that, or is
 // torn, is slowed down. `before` are the velocities before the passes.
@@ -288,7 +264,7 @@ SolverCounts solve(SolverStage& stage, const StepContext& context)
         span.next("warm start");
         bool hasJoints = !stage.system.empty();
         const bool inertiasAreSame = hasJoints && guard(stage, context);
-        scratch.passes.prepare(stage.contacts, stage.motions, lanes, context);
+        scratch.passes.prepare(stage.contacts, stage.motions, lanes, context, &stage.system);
         if (hasJoints) addSteadyOfJoints(stage, lanes, inertiasAreSame);
         startTick(impacts, context, tick);
         span.next("impacts");
@@ -309,7 +285,8 @@ SolverCounts solve(SolverStage& stage, const StepContext& context)
             scratch.bodies().kick(run, context, scratch.impacts.kicked);
         });
         const JointWorld jointWorld{
-            stage.joints, stage.world.bodies, stage.motions, stage.islands, context, hinges, lanes};
+            stage.joints, stage.world.bodies, stage.motions, stage.islands, context, hinges,
+            lanes,        scratch.energies};
         passOver(stage, jointWorld);
         scratch.passes.finish(stage.contacts, stage.motions, lanes, &jointWorld, &stage.system);
         if (hasJoints) settleGroups(impacts, jointWorld, scratch.before);

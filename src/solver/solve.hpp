@@ -22,6 +22,8 @@ struct SolverScratch {
     std::vector<std::pair<Vec2, real>> held;   // by row: velocity and spin
     TickRows rows;
     Table<LaneRow> before;               // by row: velocities before the passes
+    std::vector<TickEnergy> energies;    // by island
+    std::vector<std::uint32_t> forgotten;  // contacts of groups that begin a tick anew
     ContactPasses passes;
     ImpactScratch impacts;
     VisitedBodies visited;
@@ -88,6 +90,13 @@ struct SolverCounts {
 /// The step in one tick, for those that have been found to be quiet: no impact is near. After it the ticks
 /// are for all others. In quiet_tick.cpp; docs/theory/calm.md, section 6.
 void tickQuiet(SolverStage& stage, const StepContext& context, ClampCounts& clamps);
+
+/// All passes of a tick. Where a group solved at once is pulled straight, next to nothing holds its rows
+/// apart, and it may be thrown farther than any speed at hand can tell; where loops tie it, the passes may
+/// make energy. Then they are done again: if it can be projected it will be, by settleLost; else it is
+/// visited joint by joint, softly, from here on, and begins without what its joints and contacts carry. In
+/// thrown_groups.cpp; docs/theory/joints.md, section 9.
+void passOver(SolverStage& stage, const JointWorld& world);
 
 /// Moves all rows through the step: the only loop over ticks. docs/theory/contacts.md, section 5.
 SolverCounts solve(SolverStage& stage, const StepContext& context);
