@@ -55,6 +55,7 @@ struct JointSystem {
     std::vector<std::uint8_t> lostGroups;    // by group: did not find where it goes in this tick
     std::vector<std::uint8_t> thrownGroups;    // by group: by the passes of this tick
     std::vector<std::uint8_t> anewGroups;    // by group: whose passes begin once more, without loads
+    std::vector<std::uint8_t> flatGroups;    // by group: asked for J v = 0 in this tick, from then on
     std::vector<std::uint8_t> outgrownGroups, tornGroups;  // by group, scratch
     std::vector<std::uint8_t> wholeGroups;   // by group: solved once a tick
     std::vector<std::uint8_t> touchedGroups;  // by group: by a contact, in this tick

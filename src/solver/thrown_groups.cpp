@@ -21,26 +21,31 @@ real speedOf(const Motion& m, const LaneRow& velocity)
 }
 
 // Soft rows cannot be trusted with uneven masses.
-bool mayBeSoftened(const JointSystem& system, const DirectGroup& group)
+bool mayBeSoftened(const JointSystem& system, std::uint32_t group)
+{
+    return system.unevenGroups[group] == 0;
+}
+
+// Is it looked at? Uneven ones are where loops tie them.
+bool isWatched(const JointSystem& system, const DirectGroup& group)
 {
     if (group.rows.empty()) return false;
     const std::uint32_t of = system.joints[group.joints.front()].group;
-    return !system.unevenGroups[of] && !system.piledGroups[of];
+    return system.piledGroups[of] == 0 && (group.loops || mayBeSoftened(system, of));
 }
 
-// Is there a group that softenThrown looks at?
-bool mayThrow(const JointSystem& system)
+bool isAnyWatched(const JointSystem& system)
 {
     return std::any_of(system.direct.begin(),
                        system.direct.begin() + static_cast<std::ptrdiff_t>(system.directCount),
-                       [&](const DirectGroup& group) { return mayBeSoftened(system, group); });
+                       [&](const DirectGroup& group) { return isWatched(system, group); });
 }
 
 // Rows that others already settle may carry any loads that cancel each other. Let go one by one they would
 // throw the bodies: the group begins without any. It would be thrown again: unless it is a small tree, it is
 // not solved at once for some steps.
 void forgetLoads(JointTable& joints, const Table<Motion>& motions, const JointSystem& system,
-                 const DirectGroup& group, Table<LaneRow>& velocities)
+                 const DirectGroup& group, bool softens, Table<LaneRow>& velocities)
 {
     for (const std::uint32_t j : group.joints) {
         const JointRows& joint = system.joints[j];
@@ -56,7 +61,7 @@ void forgetLoads(JointTable& joints, const Table<Motion>& motions, const JointSy
             ++k;
         });
         carried.forgetLoads();
-        if (group.rows.size() > kFew || group.loops) carried.stiffSteps = -kHold;
+        if (softens && (group.rows.size() > kFew || group.loops)) carried.stiffSteps = -kHold;
     }
 }
 
@@ -83,7 +88,7 @@ bool softenThrown(const JointWorld& world, JointTable& joints, JointSystem& syst
     for (std::size_t d = system.directCount; d-- > 0;) {
         DirectGroup& group = system.direct[d];
         const std::uint32_t of = system.groupOfDirect(d);
-        if (!mayBeSoftened(system, group) || system.thrownGroups[of] != 0) continue;
+        if (!isWatched(system, group) || system.thrownGroups[of] != 0 || system.flatGroups[of] != 0) continue;
         const std::uint32_t island = islands.islandOf[group.rows.front()];
         const bool isAlone = island == Islands::kNone;
         const real known = (isAlone ? real(0) : fastest[island]) + driven;
@@ -99,9 +104,13 @@ bool softenThrown(const JointWorld& world, JointTable& joints, JointSystem& syst
                 system.joints[group.joints[k]] = system.projection.begun[k];
             continue;
         }
-        forgetLoads(joints, motions, system, group, before);
+        const bool softens = mayBeSoftened(system, of);
+        forgetLoads(joints, motions, system, group, softens, before);
         system.anewGroups[of] = 1;
-        soften(system, d);
+        if (softens)
+            soften(system, d);
+        else
+            system.flatGroups[of] = 1;
         thrown = true;
     }
     return thrown;
@@ -171,22 +180,34 @@ void goBack(SolverStage& stage)
     if (!forgotten.empty()) scratch.passes.keep(stage.contacts);
 }
 
+// What joints of flat groups ask for, whatever the passes find.
+void flatten(JointSystem& system, const StepContext& context)
+{
+    for (JointRows& joint : system.joints) {
+        if (system.flatGroups[joint.group] == 0) continue;
+        system.lostGroups[joint.group] = 1;
+        flattenRows(joint, context);
+    }
+}
+
 }  // namespace
 
 void passOver(SolverStage& stage, const JointWorld& world)
 {
     SolverScratch& scratch = stage.scratch;
     JointSystem& system = stage.system;
-    const bool isWatched = mayThrow(system);
+    const bool watches = isAnyWatched(system);
     if (mayProject(system)) scratch.before = scratch.rows.velocities;
     system.thrownGroups.assign(system.wholeGroups.size(), 0);
-    if (isWatched) scratch.passes.keep(stage.contacts);
-    const real surface = isWatched ? fastestSurface(stage.contacts) : real(0);
+    system.flatGroups.assign(system.wholeGroups.size(), 0);
+    if (watches) scratch.passes.keep(stage.contacts);
+    const real surface = watches ? fastestSurface(stage.contacts) : real(0);
     for (;;) {
         if (!system.empty())
             startJoints(stage.joints, stage.world.bodies, stage.motions, world.context, system);
+        flatten(system, world.context);
         scratch.passes.solve(stage.contacts, stage.motions, scratch.rows, world.context, &world, &system);
-        if (!isWatched ||
+        if (!watches ||
             !softenThrown(world, stage.joints, system, surface, scratch.before, scratch.rows.velocities))
             return;
         goBack(stage);
