@@ -44,7 +44,8 @@ def main() -> int:
         "format": check_format, "layers": lambda a: check_layers.check(),
         "trace": lambda a: check_trace.check(write=a.fix), "banned": check_banned, "paths": check_paths,
         "links": check_links,
-        "sizes": report_sizes, "snippets": lambda a: doc_snippets.check(Path(a.build).resolve()), "tidy": check_tidy,
+        "sizes": report_sizes, "one_unit": check_one_unit,
+        "snippets": lambda a: doc_snippets.check(Path(a.build).resolve()), "tidy": check_tidy,
         "instructions": lambda a: instructions.check(Path(a.build)),
     }
     parser = argparse.ArgumentParser(prog="./dev check", description=__doc__)
@@ -143,6 +144,20 @@ def tidy_units(commands: dict, folder: Path) -> list[dict]:
             units.append({"directory": commands[names[0]]["directory"], "file": str(unit),
                           "command": f"{switches.split(' # ')[0]} -o {unit}.o -c {unit}"})
     return units
+
+
+def check_one_unit(args) -> list[str]:
+    """The core may be built as one unit (the matrix of builds does so): no two of its files give things of their own
+    one name."""
+    compiler = shutil.which("clang++-22") or shutil.which("g++")
+    if compiler is None:
+        return ["clang++-22 is not here: apt-get install clang-22"]
+    names = [name for name in tracked("src/*.cpp") if name.split("/")[1] not in FREE_LAYERS]
+    command = [compiler, "-std=c++20", "-fsyntax-only", "-Iinclude", "-Isrc", "-Wno-psabi", "-x", "c++", "-"]
+    run = subprocess.run(command, cwd=ROOT, capture_output=True, text=True,
+                         input="".join(f'#include "{ROOT / name}"\n' for name in names))
+    errors = [line.replace(f"{ROOT}/", "") for line in run.stderr.splitlines() if ": error: " in line]
+    return errors or ([run.stderr] if run.returncode else [])
 
 
 def check_banned(args) -> list[str]:

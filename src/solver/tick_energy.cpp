@@ -10,7 +10,7 @@
 namespace tamias2d::inline TAMIAS_PRECISION {
 namespace {
 
-constexpr double kMade = 1e-3;  // of the energy: what rounding and rows that are not settled may make
+constexpr double kMadeByLoops = 1e-3;  // of the energy: what rounding and rows that are not settled may make
 constexpr double kMadeByTrees = 0.1;  // the same, as the second half of a tick takes it again: whips
 
 constexpr double kBack = 0.1;  // a speed at which errors may come back   [lengthUnit/s]
@@ -60,7 +60,7 @@ void TickEnergy::add(const TickRows& lanes, const Motion& motion, std::uint32_t 
 
 bool TickEnergy::isMade(const StepContext& context, bool inLoops) const
 {
-    const double made = inLoops ? kMade : kMadeByTrees;
+    const double made = inLoops ? kMadeByLoops : kMadeByTrees;
     const double turned = static_cast<double>(minimum(context.h * turn, real(1)));
     const double back = kBack * static_cast<double>(context.lengthUnit);
     const double known =
