@@ -29,6 +29,7 @@ void fieldsOf(const Tuning*, Visit visit)
     visit("pushSpeed", &Tuning::pushSpeed);
     visit("pushSlack", &Tuning::pushSlack);
     visit("extraPasses", &Tuning::extraPasses);
+    visit("settlingPasses", &Tuning::settlingPasses);
     visit("restless", &Tuning::restless);
     visit("calmRate", &Tuning::calmRate);
     visit("calmSpeed", &Tuning::calmSpeed);

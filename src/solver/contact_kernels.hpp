@@ -44,10 +44,10 @@ struct ContactKernels {
     /// `list`, which has room for all; returns how many.
     static std::size_t findNewlyLoaded(const Block* blocks, const Source* sources, std::size_t count,
                                        std::uint32_t* list);
-    /// One pass, in the islands that are `visited`, or in all if that is null; marks in `unrest` those of
-    /// which it changed a speed by more than `restless` [m/s]: one along a normal, or `ofAny`.
+    /// One pass, in the islands that are `visited`, or in all if that is null; adds to `changes`, by island,
+    /// at how many contacts it changed a speed by more than `restless` [m/s]: one along a normal, or `ofAny`.
     static void pass(Block* blocks, std::size_t count, TickRows& rows, const std::uint8_t* visited,
-                     std::uint8_t* unrest, real restless, bool ofAny);
+                     std::uint32_t* changes, real restless, bool ofAny);
     /// The pass that undoes overlaps; returns how many points it held back to the fastest push.
     static std::uint32_t push(const Block* blocks, Source* sources, std::size_t count, TickRows& rows,
                               const StepContext& context);

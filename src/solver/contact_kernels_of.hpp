@@ -6,13 +6,15 @@
 #include "solver/contact_kernels.hpp"
 #include "solver/contact_prepare_kernel.hpp"
 
+#include <bit>
+
 namespace tamias2d::inline TAMIAS_PRECISION {
 namespace {
 
-// Others may mark the same at the same time.
-inline void mark(std::uint8_t& flag)
+// Others may count the same at the same time.
+inline void addTo(std::uint32_t& sum, int more)
 {
-    __atomic_store_n(&flag, std::uint8_t{1}, __ATOMIC_RELAXED);
+    __atomic_fetch_add(&sum, static_cast<std::uint32_t>(more), __ATOMIC_RELAXED);
 }
 
 }  // namespace
@@ -131,7 +133,7 @@ std::size_t ContactKernels<W>::findNewlyLoaded(const Block* blocks, const Source
 
 template <int W>
 void ContactKernels<W>::pass(Block* blocks, std::size_t count, TickRows& rows, const std::uint8_t* visited,
-                             std::uint8_t* unrest, real restless, bool ofAny)
+                             std::uint32_t* changes, real restless, bool ofAny)
 {
     const Wide limit(restless);
     LaneRow* const velocities = rows.velocities.data();
@@ -175,10 +177,14 @@ void ContactKernels<W>::pass(Block* blocks, std::size_t count, TickRows& rows, c
         setMotion(b, motionB);
         scatterRows<W>(a, velocities, block.rowA, lanes & block.movesA);
         scatterRows<W>(b, velocities, block.rowB, lanes & block.movesB);
-        const auto changed = change > limit;
-        if (!any(changed)) continue;
+        const std::uint32_t changed = bitsOf(change > limit) & lanes;
+        if (changed == 0) continue;
+        if (block.oneIsland) {
+            addTo(changes[block.island[0]], std::popcount(changed));
+            continue;
+        }
         for (int lane = 0; lane < W; ++lane)
-            if ((lanes >> lane & 1u) != 0 && changed.v[lane] != 0) mark(unrest[block.island[lane]]);
+            if ((changed >> lane & 1u) != 0) addTo(changes[block.island[lane]], 1);
     }
 }
 

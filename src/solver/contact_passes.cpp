@@ -14,6 +14,8 @@ void prepareLoose(Contact& c, const MotionTable& motions)
     for (int i = 0; i < c.count; ++i) c.points[i].wasLoaded = c.points[i].normalImpulse > 0;
 }
 
+constexpr real kSettling = 3;  // what has nearly come to rest is slower than so many times calmSpeed
+
 bool isNewlyLoaded(const Contact& c)
 {
     for (int k = 0; k < c.count; ++k)
@@ -77,6 +79,10 @@ void ContactPasses::begin(ContactTable& contacts, const MotionTable& motions, co
     // They change places.
     loose_.reserve(contacts.rows.capacity());
     outLoose_.reserve(contacts.rows.capacity());
+    for (std::vector<std::uint8_t>* byIsland : {&unrest_, &visited_})
+        byIsland->reserve(motions.rows.capacity());
+    changes_.reserve(motions.rows.capacity());
+    settling_.reserve(motions.rows.capacity());
     isLoose_.resize(count);
     inLane_.resize(count);
     if (same && !areLeft_ && lanes_->fits(contacts.rows, renewed, context)) {
@@ -239,15 +245,16 @@ void ContactPasses::solve(ContactTable& contacts, MotionTable& motions, TickRows
                           JointSystem* joints)
 {
     sortLoose();
-    for (int pass = 0; pass <= limit.extraPasses; ++pass) {
-        unrest_.swap(unrestBefore_);
-        unrest_.assign(islands_->count(), 0);
-        const std::uint8_t* const visited = pass == 0 ? limit.islands : unrestBefore_.data();
+    for (int pass = 0;; ++pass) {
+        if (pass == 0) unrest_.assign(islands_->count(), 0);
+        for (std::size_t i = 0; pass > 0 && i < unrest_.size(); ++i) unrest_[i] &= ~visited_[i] & 1u;
+        changes_.assign(islands_->count(), 0);
+        const std::uint8_t* const visited = pass == 0 ? limit.islands : visited_.data();
         if (joints != nullptr)
             passOverJoints(*world, *joints, limit.restless, visited, rows.velocities, unrest_);
         visitColors(
             [&](int color) {
-                lanes_->pass(color, rows, visited, unrest_.data(), limit.restless, limit.ofAny);
+                lanes_->pass(color, rows, visited, changes_.data(), limit.restless, limit.ofAny);
             },
             [&](std::uint32_t i) {
                 if (piles_.holds(i)) return;
@@ -263,16 +270,36 @@ void ContactPasses::solve(ContactTable& contacts, MotionTable& motions, TickRows
                     change =
                         maximum(change, maximum(changeBetween(velocityOf(rowA), velocityOf(a), a.extent),
                                                 changeBetween(velocityOf(rowB), velocityOf(b), b.extent)));
-                if (change > limit.restless) unrest_[island] = 1;
+                if (change > limit.restless) ++changes_[island];
                 setVelocity(rowA, velocityOf(a));
                 setVelocity(rowB, velocityOf(b));
             });
         const bool left =
             joints != nullptr && !piles_.empty() &&
             piles_.pass(0, visited == nullptr, contacts, *world, *joints, rows.velocities, unrest_);
-        if (!left && std::none_of(unrest_.begin(), unrest_.end(), [](std::uint8_t is) { return is != 0; }))
-            break;
+        for (std::size_t i = 0; i < unrest_.size(); ++i) unrest_[i] |= changes_[i] != 0 ? 1 : 0;
+        if (!chooseVisited(pass, motions, rows, context, limit) && !(left && pass < limit.extraPasses)) break;
     }
+}
+
+// Chooses the islands of another pass; returns whether there is one. Beyond extraPasses only large ones that
+// have nearly come to rest and are restless at large have any: loads of a tall pile find their way by some
+// layers in a pass. docs/theory/calm.md, section 4.
+bool ContactPasses::chooseVisited(int passes, const MotionTable& motions, const TickRows& rows,
+                                  const StepContext& context, const Unrest& limit)
+{
+    constexpr std::uint32_t kBodies = 4;  // a changed contact for so many is restless at large
+    if (passes >= maximum(limit.extraPasses, limit.settlingPasses)) return false;
+    visited_ = unrest_;
+    const auto isAny = [this] {
+        return std::find(visited_.begin(), visited_.end(), std::uint8_t{1}) != visited_.end();
+    };
+    if (passes < limit.extraPasses || !isAny()) return isAny();
+    if (passes == limit.extraPasses)
+        settling_.find(*islands_, motions.rows, rows.velocities, kSettling * context.calmSpeed());
+    for (std::uint32_t i = 0; i < visited_.size(); ++i)
+        visited_[i] = settling_.holds(i) && changes_[i] * kBodies > islands_->sizeOf[i] ? 1 : 0;
+    return isAny();
 }
 
 // Contacts that press a light body and still close, faster than what is restless; if that is tied to a heavy
@@ -342,7 +369,8 @@ void ContactPasses::solveAgain(ContactTable& contacts, MotionTable& motions, Tic
                                JointSystem& joints)
 {
     const Tuning& tuning = world.context.tuning;
-    const Unrest limit{tuning.extraPasses, tuning.restless * world.context.lengthUnit, false, islands.data()};
+    const Unrest limit{tuning.extraPasses, tuning.settlingPasses, tuning.restless * world.context.lengthUnit,
+                       false, islands.data()};
     solve(contacts, motions, rows, world.context, limit, &world, &joints);
 }
 

@@ -3,6 +3,7 @@
 
 #include "solver/contact_lanes.hpp"
 #include "solver/joint_passes.hpp"
+#include "solver/settling.hpp"
 #include "solver/stiff_piles.hpp"
 
 namespace tamias2d::inline TAMIAS_PRECISION {
@@ -92,7 +93,8 @@ public:
                const JointWorld* world = nullptr, JointSystem* joints = nullptr)
     {
         const real restless = context.tuning.restless * context.lengthUnit;
-        solve(contacts, motions, rows, context, {context.tuning.extraPasses, restless, false}, world, joints);
+        solve(contacts, motions, rows, context,
+              {context.tuning.extraPasses, context.tuning.settlingPasses, restless, false}, world, joints);
     }
     /// After them: what they leave restless is solved at once, if that may be.
     void finish(ContactTable& contacts, const MotionTable& motions, TickRows& rows,
@@ -143,14 +145,16 @@ private:
     std::vector<std::uint32_t> looseEnds_;  // by color of the lanes
     std::vector<std::uint32_t> colorEnds_;  // of those, in places
     std::vector<std::uint32_t> list_;
-    std::vector<std::uint8_t> unrest_, unrestBefore_;  // by island
+    std::vector<std::uint8_t> unrest_, visited_;  // by island: after its last pass; in the next one
+    std::vector<std::uint32_t> changes_;  // by island: contacts of which the last pass changed a speed
+    SettlingIslands settling_;
     Table<Contact> kept_;  // the loose ones, in their order
     StiffPiles piles_;
 
     // How many more passes than one, over islands of which a pass changed a speed by more [m/s]: one along a
-    // normal, or any.
+    // normal, or any. How many over those that have nearly come to rest.
     struct Unrest {
-        int extraPasses;
+        int extraPasses, settlingPasses;
         real restless;
         bool ofAny;
         const std::uint8_t* islands = nullptr;  // of the first pass; null: all
@@ -165,6 +169,8 @@ private:
     void addLoose(std::uint32_t contact);
     void fillLanes(ContactTable& contacts, const MotionTable& motions, const TickRows& rows);
     void sortLoose();
+    bool chooseVisited(int passes, const MotionTable& motions, const TickRows& rows,
+                       const StepContext& context, const Unrest& limit);
     template <class OfColor, class OfLoose>
     void visitColors(OfColor ofColor, OfLoose ofLoose);
 };

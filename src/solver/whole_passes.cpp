@@ -45,7 +45,7 @@ void ContactPasses::solveWhole(ContactTable& contacts, MotionTable& motions, Tic
                                const StepContext& whole)
 {
     const real restless = whole.tuning.restless * whole.lengthUnit;
-    solve(contacts, motions, rows, whole, {kPasses - 1, kDone * restless, true}, nullptr, nullptr);
+    solve(contacts, motions, rows, whole, {kPasses - 1, 0, kDone * restless, true}, nullptr, nullptr);
 }
 
 void ContactPasses::endWhole(ContactTable& contacts, int ticks)

@@ -21,7 +21,7 @@ void add(Hasher& hash, const WorldDef& def)
     for (const real value : {t.restGap, t.touchingFactor, t.pushRate, t.pushSpeed, t.pushSlack, t.restless,
                              t.calmRate, t.calmSpeed, t.quiet, t.impactThreshold})
         hash.add(value);
-    for (const int value : {t.extraPasses, t.crowd, t.impactsPerContact})
+    for (const int value : {t.extraPasses, t.settlingPasses, t.crowd, t.impactsPerContact})
         hash.add(static_cast<std::uint64_t>(value));
     hash.add(t.sleepTime);
     hash.add(t.sleepSpeed);

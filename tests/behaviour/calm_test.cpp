@@ -104,6 +104,39 @@ TEST(Calm, APyramidOfFortyRowsComesToRestInItsShape)
     record("deepestEver_m", totals.deepestOverlap);
 }
 
+// A new pyramid of a hundred rows, of which no contact carries anything yet, on a ground that goes at `lift`
+// [m/s]: how fast its fastest body is against it in the next steps, a second later [m/s].
+double fastestOfANewPyramid(double lift)
+{
+    World world;
+    Body ground = world.createBody({.type = BodyType::Kinematic, .linearVelocity = vec(0, lift)});
+    ground.createShape({.geometry = makeBox(400, 2), .offset = vec(0, -1)});
+    std::vector<Placed> boxes = addPyramid(world, 100);
+    for (Placed& box : boxes) box.body.setLinearVelocity(vec(0, lift));
+    for (int i = 0; i < 60; ++i) world.step();
+    double fastest = 0;
+    for (int i = 0; i < 10; ++i) {
+        world.step();
+        for (const Placed& box : boxes)
+            fastest =
+                std::max(fastest, static_cast<double>(length(box.body.linearVelocity() - vec(0, lift))));
+    }
+    record("fastest_mps", fastest);
+    return fastest;
+}
+
+TEST(Calm, ANewPyramidOfAHundredRowsFindsItsLoadsInASecond)
+{
+    TRACES("R8", "R5", "NFR1", "ADR19");
+    EXPECT_LE(fastestOfANewPyramid(0), 0.02);
+}
+
+TEST(Calm, ANewPyramidOnALiftFindsItsLoadsAsFast)
+{
+    TRACES("R8", "R5", "ADR19");
+    EXPECT_LE(fastestOfANewPyramid(2), 0.02);
+}
+
 TEST(Calm, APileOfAHundredBoxesComesToRest)
 {
     TRACES("R8", "R5");

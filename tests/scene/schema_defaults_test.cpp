@@ -138,7 +138,7 @@ TEST(SceneSchema, KnowsEveryFieldOfEveryDefinition)
     // a new key. The number is that of the keys, which may be nested or spread otherwise. WorldDef::lanes is
     // a matter of the machine and not of the scene.
     [[maybe_unused]] const auto& [a1, a2, a3, a4, a5, a6, a7, lanes, threads, tasks, memory] = WorldDef{};
-    [[maybe_unused]] const auto& [t1, t2, t3, t4, t5, t6, t7, t8, t9, t10, t11, t12, t13, t14, t15] =
+    [[maybe_unused]] const auto& [t1, t2, t3, t4, t5, t6, t7, t8, t9, t10, t11, t12, t13, t14, t15, t16] =
         Tuning{};
     [[maybe_unused]] const auto& [b1, b2, b3, b4, b5, b6, b7, b8, b9, b10, b11, b12, b13, b14, b15, b16, b17,
                                   b18] = BodyDef{};
@@ -172,7 +172,7 @@ TEST(SceneSchema, KnowsEveryFieldOfEveryDefinition)
         return defs[name]["properties"].size() - 1;
     };  // less $comment
     EXPECT_EQ(count("world"), 7u);
-    EXPECT_EQ(count("tuning"), 15u);
+    EXPECT_EQ(count("tuning"), 16u);
     EXPECT_EQ(count("body"), 18u - 3 + 1 + 3);  // three locks are one key; shapes, forces and laws
     EXPECT_EQ(count("shape"), 7u - 2 + 6 + 6);  // a material's keys and six kinds instead of two fields
     EXPECT_EQ(count("filter"), 3u);

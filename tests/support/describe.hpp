@@ -66,9 +66,10 @@ inline void write(std::ostream& out, const WorldDef& def)
     out << "world gravity " << def.gravity << " G " << def.gravitationConstant << " unit " << def.lengthUnit
         << " mixing " << int(def.frictionMixing) << ' ' << int(def.restitutionMixing) << " tuning "
         << t.restGap << ' ' << t.touchingFactor << ' ' << t.pushRate << ' ' << t.pushSpeed << ' '
-        << t.pushSlack << ' ' << t.extraPasses << ' ' << t.restless << ' ' << t.calmRate << ' ' << t.calmSpeed
-        << ' ' << t.quiet << ' ' << t.impactThreshold << ' ' << t.crowd << ' ' << t.impactsPerContact << ' '
-        << t.sleepTime << ' ' << t.sleepSpeed << " sleep " << def.allowSleep << '\n';
+        << t.pushSlack << ' ' << t.extraPasses << ' ' << t.settlingPasses << ' ' << t.restless << ' '
+        << t.calmRate << ' ' << t.calmSpeed << ' ' << t.quiet << ' ' << t.impactThreshold << ' ' << t.crowd
+        << ' ' << t.impactsPerContact << ' ' << t.sleepTime << ' ' << t.sleepSpeed << " sleep "
+        << def.allowSleep << '\n';
 }
 
 /// All numbers of a kind are in the state's hash; here is what is not, and which kind it is.

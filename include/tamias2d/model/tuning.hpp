@@ -15,6 +15,7 @@ struct Tuning {
     real pushSlack =
         real(0.25);  ///< nothing is pushed while the gap is this much short of the rest gap  [1]  in [0, 1]
     int extraPasses = 4;  ///< over the contacts of a restless island, in a tick [1]   in [0, 100]
+    int settlingPasses = 40;  ///< the same, of a large one that has nearly come to rest   [1]   in [0, 100]
     real restless = real(0.005);  ///< an island is: its last pass changed a speed by more  [lengthUnit/s] > 0
     real calmRate = real(0.3);  ///< part of the speed a calm loaded body loses in a tick  [1] in [0, 1)
     real calmSpeed = real(0.1);  ///< above which nothing is calmed            [lengthUnit/s] > 0
