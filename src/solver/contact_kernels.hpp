@@ -21,6 +21,12 @@ struct ContactEndCounts {
     real deepest = 0;          // overlap   [m]
 };
 
+/// Where a pass notes what it changed, by island.
+struct UnrestNotes {
+    std::uint8_t* flags;     // 1 where it changed anything
+    std::uint32_t* changes;  // at how many contacts more; null: nobody asks
+};
+
 /// What is done with runs of blocks. Compiled for each width with the instructions that have it: all that
 /// these functions use is inline and depends on W, so that no code for one instruction set can stand in for
 /// that of another. They therefore call nothing of the standard library that is not inline too.
@@ -44,10 +50,10 @@ struct ContactKernels {
     /// `list`, which has room for all; returns how many.
     static std::size_t findNewlyLoaded(const Block* blocks, const Source* sources, std::size_t count,
                                        std::uint32_t* list);
-    /// One pass, in the islands that are `visited`, or in all if that is null; adds to `changes`, by island,
-    /// at how many contacts it changed a speed by more than `restless` [m/s]: one along a normal, or `ofAny`.
+    /// One pass, in the islands that are `visited`, or in all if that is null; notes in `unrest` where
+    /// it changed a speed by more than `restless` [m/s]: one along a normal, or `ofAny`.
     static void pass(Block* blocks, std::size_t count, TickRows& rows, const std::uint8_t* visited,
-                     std::uint32_t* changes, real restless, bool ofAny);
+                     const UnrestNotes& unrest, real restless, bool ofAny);
     /// The pass that undoes overlaps; returns how many points it held back to the fastest push.
     static std::uint32_t push(const Block* blocks, Source* sources, std::size_t count, TickRows& rows,
                               const StepContext& context);

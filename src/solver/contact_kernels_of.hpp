@@ -11,10 +11,12 @@
 namespace tamias2d::inline TAMIAS_PRECISION {
 namespace {
 
-// Others may count the same at the same time.
-inline void addTo(std::uint32_t& sum, int more)
+// Others may mark and count the same at the same time.
+inline void note(const UnrestNotes& unrest, std::uint32_t island, int contacts)
 {
-    __atomic_fetch_add(&sum, static_cast<std::uint32_t>(more), __ATOMIC_RELAXED);
+    __atomic_store_n(unrest.flags + island, std::uint8_t{1}, __ATOMIC_RELAXED);
+    if (unrest.changes != nullptr)
+        __atomic_fetch_add(unrest.changes + island, static_cast<std::uint32_t>(contacts), __ATOMIC_RELAXED);
 }
 
 }  // namespace
@@ -133,7 +135,7 @@ std::size_t ContactKernels<W>::findNewlyLoaded(const Block* blocks, const Source
 
 template <int W>
 void ContactKernels<W>::pass(Block* blocks, std::size_t count, TickRows& rows, const std::uint8_t* visited,
-                             std::uint32_t* changes, real restless, bool ofAny)
+                             const UnrestNotes& unrest, real restless, bool ofAny)
 {
     const Wide limit(restless);
     LaneRow* const velocities = rows.velocities.data();
@@ -180,11 +182,11 @@ void ContactKernels<W>::pass(Block* blocks, std::size_t count, TickRows& rows, c
         const std::uint32_t changed = bitsOf(change > limit) & lanes;
         if (changed == 0) continue;
         if (block.oneIsland) {
-            addTo(changes[block.island[0]], std::popcount(changed));
+            note(unrest, block.island[0], std::popcount(changed));
             continue;
         }
         for (int lane = 0; lane < W; ++lane)
-            if ((changed >> lane & 1u) != 0) addTo(changes[block.island[lane]], 1);
+            if ((changed >> lane & 1u) != 0) note(unrest, block.island[lane], 1);
     }
 }
 

@@ -97,10 +97,9 @@ public:
     /// Lists the contacts of which a point carries something that carried nothing as the tick began.
     virtual void findNewlyLoaded(std::vector<std::uint32_t>& found) const = 0;
     virtual int colors() const = 0;
-    /// One pass over a color in the islands that are `visited`, or in all if that is null; adds to
-    /// `changes`, by island, at how many contacts it changed a speed by more than `restless` [m/s]: one along
-    /// a normal, or `ofAny`.
-    virtual void pass(int color, TickRows& rows, const std::uint8_t* visited, std::uint32_t* changes,
+    /// One pass over a color in the islands that are `visited`, or in all if that is null; notes in `unrest`
+    /// where it changed a speed by more than `restless` [m/s]: one along a normal, or `ofAny`.
+    virtual void pass(int color, TickRows& rows, const std::uint8_t* visited, const UnrestNotes& unrest,
                       real restless, bool ofAny) = 0;
     /// Keeps all impulses, and gives them back as they were kept.
     virtual void keep() = 0;

@@ -61,12 +61,12 @@ public:
     void keep() override { kept_ = blocks_; }
     void restore() override { blocks_ = kept_; }
     int colors() const override { return static_cast<int>(colorEnds_.size()); }
-    void pass(int color, TickRows& rows, const std::uint8_t* visited, std::uint32_t* changes, real restless,
-              bool ofAny) override
+    void pass(int color, TickRows& rows, const std::uint8_t* visited, const UnrestNotes& unrest,
+              real restless, bool ofAny) override
     {
         solved_ = true;
         eachChunk(color, [&](std::size_t first, std::size_t count, std::size_t) {
-            Kernels::pass(blocks_.data() + first, count, rows, visited, changes, restless, ofAny);
+            Kernels::pass(blocks_.data() + first, count, rows, visited, unrest, restless, ofAny);
         });
     }
     void push(int color, TickRows& rows, const StepContext& context, ClampCounts& clamps) override

@@ -16,6 +16,11 @@ void prepareLoose(Contact& c, const MotionTable& motions)
 
 constexpr real kSettling = 3;  // what has nearly come to rest is slower than so many times calmSpeed
 
+bool contains(const std::vector<std::uint8_t>& flags, std::uint8_t flag)
+{
+    return std::find(flags.begin(), flags.end(), flag) != flags.end();
+}
+
 bool isNewlyLoaded(const Contact& c)
 {
     for (int k = 0; k < c.count; ++k)
@@ -246,16 +251,20 @@ void ContactPasses::solve(ContactTable& contacts, MotionTable& motions, TickRows
 {
     sortLoose();
     for (int pass = 0;; ++pass) {
-        if (pass == 0) unrest_.assign(islands_->count(), 0);
-        for (std::size_t i = 0; pass > 0 && i < unrest_.size(); ++i) unrest_[i] &= ~visited_[i] & 1u;
-        changes_.assign(islands_->count(), 0);
+        if (pass <= limit.extraPasses) {
+            visited_.swap(unrest_);
+            unrest_.assign(islands_->count(), 0);
+        } else {
+            for (std::size_t i = 0; i < unrest_.size(); ++i) unrest_[i] &= ~visited_[i] & 1u;
+        }
+        const bool isLast = pass >= limit.extraPasses;  // but for what settles
+        if (isLast) changes_.assign(islands_->count(), 0);
+        const UnrestNotes notes{unrest_.data(), isLast ? changes_.data() : nullptr};
         const std::uint8_t* const visited = pass == 0 ? limit.islands : visited_.data();
         if (joints != nullptr)
             passOverJoints(*world, *joints, limit.restless, visited, rows.velocities, unrest_);
         visitColors(
-            [&](int color) {
-                lanes_->pass(color, rows, visited, changes_.data(), limit.restless, limit.ofAny);
-            },
+            [&](int color) { lanes_->pass(color, rows, visited, notes, limit.restless, limit.ofAny); },
             [&](std::uint32_t i) {
                 if (piles_.holds(i)) return;
                 Contact& c = contacts.rows[i];
@@ -270,92 +279,40 @@ void ContactPasses::solve(ContactTable& contacts, MotionTable& motions, TickRows
                     change =
                         maximum(change, maximum(changeBetween(velocityOf(rowA), velocityOf(a), a.extent),
                                                 changeBetween(velocityOf(rowB), velocityOf(b), b.extent)));
-                if (change > limit.restless) ++changes_[island];
+                if (change > limit.restless) {
+                    unrest_[island] = 1;
+                    if (isLast) ++changes_[island];
+                }
                 setVelocity(rowA, velocityOf(a));
                 setVelocity(rowB, velocityOf(b));
             });
         const bool left =
             joints != nullptr && !piles_.empty() &&
             piles_.pass(0, visited == nullptr, contacts, *world, *joints, rows.velocities, unrest_);
-        for (std::size_t i = 0; i < unrest_.size(); ++i) unrest_[i] |= changes_[i] != 0 ? 1 : 0;
-        if (!chooseVisited(pass, motions, rows, context, limit) && !(left && pass < limit.extraPasses)) break;
+        if (isLast ? !chooseSettling(pass, motions, rows, context, limit) : !left && !contains(unrest_, 1))
+            break;
     }
 }
 
-// Chooses the islands of another pass; returns whether there is one. Beyond extraPasses only large ones that
-// have nearly come to rest and are restless at large have any: loads of a tall pile find their way by some
-// layers in a pass. docs/theory/calm.md, section 4.
-bool ContactPasses::chooseVisited(int passes, const MotionTable& motions, const TickRows& rows,
-                                  const StepContext& context, const Unrest& limit)
+// Chooses the islands of further passes beyond extraPasses: large ones that have nearly come to rest and are
+// restless at large, as loads of a tall pile find their way by some layers in a pass. docs/theory/calm.md,
+// section 4. Returns whether there are any.
+bool ContactPasses::chooseSettling(int passes, const MotionTable& motions, const TickRows& rows,
+                                   const StepContext& context, const Unrest& limit)
 {
     constexpr std::uint32_t kBodies = 4;  // a changed contact for so many is restless at large
-    if (passes >= maximum(limit.extraPasses, limit.settlingPasses)) return false;
-    visited_ = unrest_;
-    const auto isAny = [this] {
-        return std::find(visited_.begin(), visited_.end(), std::uint8_t{1}) != visited_.end();
-    };
-    if (passes < limit.extraPasses || !isAny()) return isAny();
+    if (passes >= limit.settlingPasses || !contains(unrest_, 1)) return false;
+    visited_.assign(unrest_.size(), 0);
+    for (std::size_t i = 0; i < visited_.size(); ++i) {
+        const std::uint32_t bodies = islands_->sizeOf[i];
+        if (bodies >= SettlingIslands::kLarge && kBodies * changes_[i] > bodies) visited_[i] = 1;
+    }
+    if (!contains(visited_, 1)) return false;
     if (passes == limit.extraPasses)
         settling_.find(*islands_, motions.rows, rows.velocities, kSettling * context.calmSpeed());
     for (std::uint32_t i = 0; i < visited_.size(); ++i)
-        visited_[i] = settling_.holds(i) && changes_[i] * kBodies > islands_->sizeOf[i] ? 1 : 0;
-    return isAny();
-}
-
-// Contacts that press a light body and still close, faster than what is restless; if that is tied to a heavy
-// one all of them, as the joints have their visits first.
-void ContactPasses::findCrushing(const ContactTable& contacts, const MotionTable& motions,
-                                 const TickRows& rows, const StepContext& context)
-{
-    using Lightness = StiffPiles::Lightness;
-    const real restless = context.tuning.restless * context.lengthUnit;
-    list_.clear();
-    if (std::none_of(unrest_.begin(), unrest_.end(), [](std::uint8_t is) { return is != 0; })) return;
-    for (std::uint32_t i = 0; i < contacts.rows.size(); ++i) {
-        const Contact& c = contacts.rows[i];
-        if (c.count == 0 || !holds(i) || unrest_[islandOf(*islands_, c.rowA, c.rowB)] == 0) continue;
-        const Lightness light = piles_.crushes(c);
-        if (light == Lightness::None) continue;
-        if (light == Lightness::Tied || closing(i, c, motions, rows, context) > restless) list_.push_back(i);
-    }
-}
-
-// How much faster than they may points of the contact still close, that no impact is to stop.
-real ContactPasses::closing(std::uint32_t contact, const Contact& c, const MotionTable& motions,
-                            const TickRows& rows, const StepContext& context) const
-{
-    const LaneRow &a = rows.velocities[c.rowA], &b = rows.velocities[c.rowB];
-    const bool inLane = isInLane(contact);
-    const LaneView lane = inLane ? view(contact) : LaneView{};
-    const Vec2 n = inLane ? lane.normal : c.normal;
-    const Motion motionA = motionWith(motions.rows[c.rowA], a), motionB = motionWith(motions.rows[c.rowB], b);
-    real most = 0;
-    for (int k = 0; k < c.count; ++k) {
-        const ContactPointRow& p = c.points[k];
-        if (!inLane && isLeftToImpacts(c, k, motionA, motionB, context)) continue;
-        const real turnA = inLane ? lane.points[k].turnA : cross(p.armA, n);
-        const real turnB = inLane ? lane.points[k].turnB : cross(p.armB, n);
-        const real gap = inLane ? lane.points[k].gap : p.gap;
-        const real speed = dot(n, motionB.velocity - motionA.velocity) + turnB * b.z - turnA * a.z;
-        most = maximum(most, -speed - maximum(gap, real(0)) * context.invH);
-    }
-    return most;
-}
-
-void ContactPasses::finish(ContactTable& contacts, const MotionTable& motions, TickRows& rows,
-                           const JointWorld* world, JointSystem* joints)
-{
-    list_.clear();
-    const std::size_t first = piles_.count();
-    if (joints != nullptr && piles_.mayCrush()) findCrushing(contacts, motions, rows, world->context);
-    if (joints != nullptr && !list_.empty() && piles_.add(list_, contacts, *joints) > 0) {
-        for (std::size_t p = first; p < piles_.count(); ++p)
-            for (const std::uint32_t i : piles_[p].contacts)
-                if (isInLane(i)) takeOut(i, contacts, motions);
-        for (int pass = 0; pass <= world->context.tuning.extraPasses; ++pass)
-            if (!piles_.pass(first, pass == 0, contacts, *world, *joints, rows.velocities, unrest_)) break;
-        sortLoose();
-    }
+        if (visited_[i] != 0 && !settling_.holds(i)) visited_[i] = 0;
+    return contains(visited_, 1);
 }
 
 void ContactPasses::takeOut(std::uint32_t contact, ContactTable& contacts, const MotionTable& motions)

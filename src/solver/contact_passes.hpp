@@ -169,8 +169,8 @@ private:
     void addLoose(std::uint32_t contact);
     void fillLanes(ContactTable& contacts, const MotionTable& motions, const TickRows& rows);
     void sortLoose();
-    bool chooseVisited(int passes, const MotionTable& motions, const TickRows& rows,
-                       const StepContext& context, const Unrest& limit);
+    bool chooseSettling(int passes, const MotionTable& motions, const TickRows& rows,
+                        const StepContext& context, const Unrest& limit);
     template <class OfColor, class OfLoose>
     void visitColors(OfColor ofColor, OfLoose ofLoose);
 };

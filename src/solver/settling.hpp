@@ -12,6 +12,8 @@ namespace tamias2d::inline TAMIAS_PRECISION {
 /// Which large islands have nearly come to rest: docs/theory/calm.md, section 4. The memory is kept.
 class SettlingIslands {
 public:
+    static constexpr std::uint32_t kLarge = 100;  ///< bodies
+
     /// For as many rows.
     void reserve(std::size_t rows)
     {
@@ -27,14 +29,12 @@ public:
     }
 
 private:
-    static constexpr std::uint32_t kLarge = 100;  // bodies
-
     // Mass, momentum and twice the kinetic energy of an island, against its ground if it has one.
     struct Large {
         std::uint32_t island;
         bool settles = false;
         double mass = 0, energy = 0;
-        DVec2 momentum;
+        DVec2 momentum = {};
     };
     std::vector<std::uint32_t> largeOf_;  // by island; kNone for a small one
     std::vector<Large> large_;
