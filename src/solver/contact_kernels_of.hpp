@@ -6,8 +6,6 @@
 #include "solver/contact_kernels.hpp"
 #include "solver/contact_prepare_kernel.hpp"
 
-#include <bit>
-
 namespace tamias2d::inline TAMIAS_PRECISION {
 namespace {
 
@@ -182,7 +180,7 @@ void ContactKernels<W>::pass(Block* blocks, std::size_t count, TickRows& rows, c
         const std::uint32_t changed = bitsOf(change > limit) & lanes;
         if (changed == 0) continue;
         if (block.oneIsland) {
-            note(unrest, block.island[0], std::popcount(changed));
+            note(unrest, block.island[0], __builtin_popcount(changed));
             continue;
         }
         for (int lane = 0; lane < W; ++lane)
