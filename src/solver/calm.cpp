@@ -4,18 +4,10 @@
 
 #include "solver/calm.hpp"
 
+#include "solver/body_mass.hpp"
+
 namespace tamias2d::inline TAMIAS_PRECISION {
 namespace {
-
-double massOf(const Motion& m)
-{
-    const real inverse = m.greatestInvMass();
-    return inverse > 0 ? 1 / static_cast<double>(inverse) : 0;  // pinned: it has no motion but its spin
-}
-double inertiaOf(const Motion& m)
-{
-    return m.invInertia > 0 ? 1 / static_cast<double>(m.invInertia) : 0;
-}
 
 // Which islands bear a load somewhere: there is nothing to calm in others, as those of shapes that fall side
 // by side. Is there one?

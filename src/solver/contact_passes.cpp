@@ -14,11 +14,9 @@ void prepareLoose(Contact& c, const MotionTable& motions)
     for (int i = 0; i < c.count; ++i) c.points[i].wasLoaded = c.points[i].normalImpulse > 0;
 }
 
-constexpr real kSettling = 3;  // what has nearly come to rest is slower than so many times calmSpeed
-
-bool contains(const std::vector<std::uint8_t>& flags, std::uint8_t flag)
+bool isAny(const std::vector<std::uint8_t>& flags)
 {
-    return std::find(flags.begin(), flags.end(), flag) != flags.end();
+    return std::find(flags.begin(), flags.end(), std::uint8_t{1}) != flags.end();
 }
 
 bool isNewlyLoaded(const Contact& c)
@@ -289,8 +287,7 @@ void ContactPasses::solve(ContactTable& contacts, MotionTable& motions, TickRows
         const bool left =
             joints != nullptr && !piles_.empty() &&
             piles_.pass(0, visited == nullptr, contacts, *world, *joints, rows.velocities, unrest_);
-        if (isLast ? !chooseSettling(pass, motions, rows, context, limit) : !left && !contains(unrest_, 1))
-            break;
+        if (isLast ? !chooseSettling(pass, motions, rows, context, limit) : !left && !isAny(unrest_)) break;
     }
 }
 
@@ -300,19 +297,20 @@ void ContactPasses::solve(ContactTable& contacts, MotionTable& motions, TickRows
 bool ContactPasses::chooseSettling(int passes, const MotionTable& motions, const TickRows& rows,
                                    const StepContext& context, const Unrest& limit)
 {
+    constexpr real kSettling = 3;  // what has nearly come to rest is slower than so many times calmSpeed
     constexpr std::uint32_t kBodies = 4;  // a changed contact for so many is restless at large
-    if (passes >= limit.settlingPasses || !contains(unrest_, 1)) return false;
+    if (passes >= limit.settlingPasses || !isAny(unrest_)) return false;
     visited_.assign(unrest_.size(), 0);
     for (std::size_t i = 0; i < visited_.size(); ++i) {
         const std::uint32_t bodies = islands_->sizeOf[i];
         if (bodies >= SettlingIslands::kLarge && kBodies * changes_[i] > bodies) visited_[i] = 1;
     }
-    if (!contains(visited_, 1)) return false;
+    if (!isAny(visited_)) return false;
     if (passes == limit.extraPasses)
         settling_.find(*islands_, motions.rows, rows.velocities, kSettling * context.calmSpeed());
     for (std::uint32_t i = 0; i < visited_.size(); ++i)
         if (visited_[i] != 0 && !settling_.holds(i)) visited_[i] = 0;
-    return contains(visited_, 1);
+    return isAny(visited_);
 }
 
 void ContactPasses::takeOut(std::uint32_t contact, ContactTable& contacts, const MotionTable& motions)

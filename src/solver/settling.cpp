@@ -1,16 +1,18 @@
 // SPDX-License-Identifier: MIT
 #include "solver/settling.hpp"
 
+#include "solver/body_mass.hpp"
+
 namespace tamias2d::inline TAMIAS_PRECISION {
 
 void SettlingIslands::add(const Motion& m, BodyMotion<real> motion, Large& island) const
 {
     const DVec2 v = toDVec2(motion.velocity);
-    const double mass = 1 / static_cast<double>(m.greatestInvMass()), spin = static_cast<double>(motion.spin);
+    const double mass = massOf(m), spin = static_cast<double>(motion.spin);
     island.mass += mass;
     island.momentum += mass * v;
     island.energy += mass * dot(v, v);
-    if (m.invInertia > 0) island.energy += spin * spin / static_cast<double>(m.invInertia);
+    island.energy += inertiaOf(m) * spin * spin;
 }
 
 void SettlingIslands::find(const Islands& islands, const Table<Motion>& rows,

@@ -2,6 +2,7 @@
 #include "solver/tick_energy.hpp"
 
 #include "joints/softness.hpp"
+#include "solver/body_mass.hpp"
 
 #include <tamias2d/math/scalar.hpp>
 
@@ -54,8 +55,7 @@ void TickEnergy::add(const TickRows& lanes, const Motion& motion, std::uint32_t 
     begun += energyOf(motion, unloaded(lanes, row));
     ended += energyOf(motion, after);
     turn = maximum(turn, absolute(after.spin));
-    const real inverse = motion.greatestInvMass();
-    if (inverse > 0) mass += 1 / static_cast<double>(inverse);
+    mass += massOf(motion);
 }
 
 bool TickEnergy::isMade(const StepContext& context, bool inLoops) const
